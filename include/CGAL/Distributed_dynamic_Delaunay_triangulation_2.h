@@ -65,9 +65,9 @@ public:
   /// arguments are checked before anything is sent: a rank with bad ones throws its own error, and
   /// all other ranks throw Distributed_input_error_2.
   /// \tparam InputIterator its values are pairs of an `Id` and a `Point`.
-  /// \throws Parameter_error_2 if the load factor is less than 1 or NaN;
-  /// Non_finite_coordinate_error_2 or Coordinate_range_error_2 (`id()` is the place in the range);
-  /// Repeated_id_error_2, on all ranks.
+  /// \throws Parameter_error_2 if the load factor is less than 1 or NaN, or on all ranks if they
+  /// give different ones; Non_finite_coordinate_error_2 or Coordinate_range_error_2 (`id()` is the
+  /// place in the range); Repeated_id_error_2, on all ranks.
   template <class InputIterator>
   Distributed_dynamic_Delaunay_triangulation_2(MPI_Comm communicator, InputIterator first,
                                                InputIterator beyond,

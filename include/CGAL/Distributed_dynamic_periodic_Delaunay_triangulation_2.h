@@ -76,12 +76,12 @@ public:
   /// a point, when points are distributed anew, what this costs, and what happens if a rank has bad
   /// arguments: all that is as for `Distributed_dynamic_Delaunay_triangulation_2`.
   /// \tparam InputIterator its values are pairs of an `Id` and a `Point`.
-  /// \throws Parameter_error_2 if the load factor is less than 1 or NaN; Periodic_cell_error_2 if
-  /// the cell is a slab, or so thin or extreme that doubles cannot tell how far points are apart in
-  /// it, or on all ranks if they give different cells; Non_finite_coordinate_error_2 or
-  /// Coordinate_range_error_2 (`id()` is the place in the range); Periodic_range_error_2 likewise,
-  /// if a point is 2<sup>16</sup> cells or about 2<sup>16</sup> H from the origin or more;
-  /// Repeated_id_error_2, on all ranks.
+  /// \throws Parameter_error_2 if the load factor is less than 1 or NaN, or on all ranks if they
+  /// give different ones; Periodic_cell_error_2 if the cell is a slab, or so thin or extreme that
+  /// doubles cannot tell how far points are apart in it, or on all ranks if they give different
+  /// cells; Non_finite_coordinate_error_2 or Coordinate_range_error_2 (`id()` is the place in the
+  /// range); Periodic_range_error_2 likewise, if a point is 2<sup>16</sup> cells or about
+  /// 2<sup>16</sup> H from the origin or more; Repeated_id_error_2, on all ranks.
   template <class InputIterator>
   Distributed_dynamic_periodic_Delaunay_triangulation_2(
       MPI_Comm communicator, InputIterator first, InputIterator beyond, const Periodic_cell_2& cell,

@@ -46,8 +46,8 @@ class Non_finite_coordinate_error_2 : public Dynamic_Delaunay_triangulation_erro
 {
 public:
   /// \cond
-  Non_finite_coordinate_error_2(std::size_t id, double x, double y)
-    : Dynamic_Delaunay_triangulation_error_2(text("point ", id, " has the coordinates (", x, ", ",
+  Non_finite_coordinate_error_2(std::size_t id, double x, double y, const char* name = "point")
+    : Dynamic_Delaunay_triangulation_error_2(text(name, " ", id, " has the coordinates (", x, ", ",
                                                   y, "): both must be finite numbers"))
     , m_id(id)
     , m_x(x)
@@ -81,9 +81,10 @@ class Coordinate_range_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
 public:
   /// \cond
-  Coordinate_range_error_2(std::size_t id, double x, double y, double limit)
+  Coordinate_range_error_2(std::size_t id, double x, double y, double limit,
+                           const char* name = "point")
     : Dynamic_Delaunay_triangulation_error_2(
-          text("point ", id, " has the coordinates (", x, ", ", y, "): both must be smaller than ",
+          text(name, " ", id, " has the coordinates (", x, ", ", y, "): both must be smaller than ",
                limit, " in absolute value where CGAL is compiled for SSE4.1 or AVX"))
     , m_id(id)
     , m_x(x)
@@ -118,12 +119,12 @@ class Point_count_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
 public:
   /// \cond
-  Point_count_error_2(std::size_t expected, std::size_t given)
-    : Dynamic_Delaunay_triangulation_error_2(text(
-          "given are ", given, (given == expected + 1 ? " or more" : ""), " entries, and ",
-          expected,
-          " are due: in a frame one position for each id from 0 to the last, any one for those of "
-          "removed points"))
+  Point_count_error_2(std::size_t expected, std::size_t given,
+                      const char* due = "in a frame one position for each id from 0 to the last, "
+                                        "any one for those of removed points")
+    : Dynamic_Delaunay_triangulation_error_2(text("given are ", given,
+                                                  (given == expected + 1 ? " or more" : ""),
+                                                  " entries, and ", expected, " are due: ", due))
     , m_expected(expected)
     , m_given(given)
   {
@@ -234,7 +235,7 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-No point of a `Dynamic_population_2` has this id.
+No point of a `Dynamic_population_2` or a distributed triangulation has this id.
 */
 class Unknown_user_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -242,8 +243,7 @@ public:
   /// \cond
   template <class Id>
   explicit Unknown_user_id_error_2(const Id& id)
-    : Dynamic_Delaunay_triangulation_error_2("there is no point with id " + std::to_string(id) +
-                                             " in the population")
+    : Dynamic_Delaunay_triangulation_error_2("there is no point with id " + std::to_string(id))
     , m_id(std::to_string(id))
   {
   }
@@ -314,15 +314,18 @@ public:
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
 A number is out of range: a parameter of a classifier or a policy, a radius, the size of a box, a
-number of weights, or a load factor.
+number of weights, or a load factor; or a load factor is not the same on all ranks.
 */
 class Parameter_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
 public:
   /// \cond
   Parameter_error_2(const std::string& name, double value, double lowest, double highest)
-    : Dynamic_Delaunay_triangulation_error_2(
-          text(name, " is ", value, ": it must be from ", lowest, " to ", highest))
+    : Parameter_error_2(name, value, text("from ", lowest, " to ", highest))
+  {
+  }
+  Parameter_error_2(const std::string& name, double value, const std::string& demand)
+    : Dynamic_Delaunay_triangulation_error_2(text(name, " is ", value, ": it must be ", demand))
     , m_value(value)
   {
   }
@@ -402,9 +405,10 @@ class Periodic_range_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
 public:
   /// \cond
-  Periodic_range_error_2(std::size_t id, double x, double y, double limit)
+  Periodic_range_error_2(std::size_t id, double x, double y, double limit,
+                         const char* name = "point")
     : Dynamic_Delaunay_triangulation_error_2(
-          text("point ", id, " has the coordinates (", x, ", ", y,
+          text(name, " ", id, " has the coordinates (", x, ", ", y,
                "): both of its multiples of the cell's vectors must be below ", limit,
                " in absolute value"))
     , m_id(id)
@@ -470,8 +474,8 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-Another rank of a distributed triangulation was given bad input, and throws its own error. Nothing
-changes on any rank.
+Another rank of a distributed triangulation was given bad input, and throws its own error; or ranks
+have called different functions, which all of them throw. Nothing changes on any rank.
 */
 class Distributed_input_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
@@ -483,9 +487,16 @@ public:
     , m_rank(rank)
   {
   }
+  Distributed_input_error_2(int rank, const std::string& call_of_first, const std::string& call)
+    : Dynamic_Delaunay_triangulation_error_2(text("rank 0 calls ", call_of_first, ", and rank ",
+                                                  rank, " calls ", call,
+                                                  ": all ranks must call the same function"))
+    , m_rank(rank)
+  {
+  }
   /// \endcond
 
-  /// the first rank with bad input.
+  /// the first rank with bad input, or that has called another function than rank 0.
   int rank() const { return m_rank; }
 
 private:

@@ -15,6 +15,30 @@
 #include <unistd.h>
 #include <vector>
 
+// True if `call` throws an `Error` with this part of a message.
+template <class Error, class Call>
+bool tells(const Call& call, const std::string& message)
+{
+  return is_refused<Error>(call, [&](const Error& error) {
+    const bool is_told = std::string(error.what()).find(message) != std::string::npos;
+    if (!is_told)
+      std::fprintf(stderr, "rank %d: '%s', not '%s'\n", this_rank, error.what(), message.c_str());
+    return is_told;
+  });
+}
+
+inline bool is_last()
+{
+  return this_rank == number_of_ranks - 1;
+}
+
+// What the last rank gives, and what the others give.
+template <class T>
+T differing(const T& of_last, const T& of_others)
+{
+  return is_last() ? of_last : of_others;
+}
+
 inline void move_all(Population& population, std::mt19937& random, double spread)
 {
   std::normal_distribution<double> step(0, spread);

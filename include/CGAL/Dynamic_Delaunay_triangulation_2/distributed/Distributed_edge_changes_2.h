@@ -113,6 +113,7 @@ public:
   template <class Distributed>
   void compute(Distributed& dt)
   {
+    dt.ranks().agree("Distributed_edge_changes_2::compute()");
     std::vector<Edge> edges;
     dt.for_each_edge([&](std::int64_t i, std::int64_t j) { edges.emplace_back(i, j); });
     m_edges.compare(dt.ranks(), std::move(edges));

@@ -183,6 +183,7 @@ public:
   void compute(Distributed& dt)
   {
     const Floating_point floating_point;
+    dt.ranks().agree("Distributed_periodic_edge_changes_2::compute()");
     const std::vector<std::int64_t> ids = dt.owned_ids();
     const auto points = dt.owned_points();
     std::vector<Translations::Entry> own;

@@ -28,7 +28,8 @@ namespace CGAL {
 The common members of distributed triangulations of moving points on the ranks of an MPI
 communicator. `Distributed_dynamic_Delaunay_triangulation_2` and
 `Distributed_dynamic_periodic_Delaunay_triangulation_2` derive from this class. All ranks must call
-a *collective* function together.
+a *collective* function together. If they call different functions of one object,
+Distributed_input_error_2 says so on all ranks, and nothing has changed.
 
 Each rank owns some points, and holds copies of points of other ranks, its *ghosts*; in periodic
 space, ghosts are also other images of its own points. After construction and after each update
@@ -49,7 +50,7 @@ that calls a function of this class makes all calls of MPI, so `MPI_THREAD_FUNNE
 that is the main thread. MPI must be initialized before, and finalized after the object is gone. An
 error of MPI ends the program, unless the user gave the communicator another error handler. An
 exception that one rank alone throws and does not catch ends the program, too: `mpirun` then ends
-the other ranks.
+the other ranks. The section \ref RanksErrors says what to do with exceptions.
 
 \tparam Space an internal type: the plane or a torus.
 */
@@ -160,10 +161,11 @@ public:
   /// data of the points that this rank owns, given data of those that it owned before the last
   /// distribution, each in the order of `owned_ids()` at that time. Collective. Call it before
   /// points are inserted or removed. After construction, the points before are those that the rank
-  /// was given.
+  /// was given; after `read_checkpoint()`, those that it owns, so that their data stay as they are.
   /// \tparam T trivially copyable.
   /// \throws Point_count_error_2 if there are not as many data as points before, or
-  /// Distributed_input_error_2 on the other ranks.
+  /// Distributed_input_error_2 on the other ranks; Distributed_input_error_2 on all ranks if T has
+  /// not the same size on all of them.
   template <class T>
   std::vector<T> carry(const std::vector<T>& data)
   {
@@ -215,12 +217,16 @@ public:
   /// continues with the same edges and faces, on any number of ranks.
   ///
   /// A file is written under its name with `.unfinished` appended, and renamed when it is complete.
-  /// So the last checkpoint stays readable, whenever a rank dies.
+  /// So the last checkpoint stays readable, whenever a rank dies. The path, and whether there are
+  /// data and how large those of a point are, must be the same on all ranks, and all ranks must see
+  /// the same file; that is checked before, and Checkpoint_error_2 on all ranks says what is wrong
+  /// on which rank.
   /// @{
 
   /// writes the points and the cell as they are triangulated. Collective. Cost: 24 bytes a point.
-  /// \throws Checkpoint_error_2 on all ranks if writing fails; a file that had this name before is
-  /// still there.
+  /// \throws Checkpoint_error_2 on all ranks if writing fails, if a rank does not see the file that
+  /// rank 0 has created, as on a disk of its own, or if there is a directory, a device or a pipe of
+  /// this name; a file that had this name before is still there.
   void write_checkpoint(const std::string& path)
   {
     const Floating_point floating_point;
@@ -240,9 +246,10 @@ public:
   }
 
   /// replaces points and cell by those in a file, and distributes points as the constructor does.
-  /// Collective. \throws Checkpoint_error_2 on all ranks if there is no such file, if it is no
-  /// intact checkpoint of this class, or if it has data of the user; nothing has changed then on
-  /// any rank. \post `is_certified()`
+  /// Collective. \throws Checkpoint_error_2 on all ranks if one of them cannot read such a file, if
+  /// it is no intact checkpoint of this class, or contains what no program has written, such as a
+  /// coordinate that is not finite or an id twice, or if it has data of the user; nothing has
+  /// changed then on any rank. \post `is_certified()`
   void read_checkpoint(const std::string& path)
   {
     const Floating_point floating_point;
@@ -291,9 +298,9 @@ public:
   size_type number_of_asking_frames() const { return m_core.proof().number_of_asking_frames(); }
   /// the number of rounds in which ranks have asked each other.
   size_type number_of_rounds() const { return m_core.proof().number_of_rounds(); }
-  /// messages that this rank has sent, collective calls of MPI not counted.
+  /// messages that this rank has sent to others, collective calls of MPI not counted.
   size_type number_of_messages() const { return m_core.ranks().exchange().sent_messages(); }
-  /// bytes that this rank has sent, collective calls of MPI not counted.
+  /// bytes that this rank has sent to others, collective calls of MPI not counted.
   size_type number_of_bytes() const { return m_core.ranks().exchange().sent_bytes(); }
   /// bytes that all ranks have told all others, in collective calls: such as zones, boxes, inserted
   /// and removed ids and, in the plane, outlines.

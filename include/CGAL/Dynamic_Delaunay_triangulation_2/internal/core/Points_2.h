@@ -151,13 +151,13 @@ private:
 
 // The position of a point. Throws if its coordinates are not finite, or beyond the limit.
 template <class Point>
-Position_2 checked_position(const Point& p, std::size_t id)
+Position_2 checked_position(const Point& p, std::size_t id, const char* name = "point")
 {
   const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
   if (!std::isfinite(position.x) || !std::isfinite(position.y))
-    throw Non_finite_coordinate_error_2(id, position.x, position.y);
+    throw Non_finite_coordinate_error_2(id, position.x, position.y, name);
   if (!is_within_limit(position.x) || !is_within_limit(position.y))
-    throw Coordinate_range_error_2(id, position.x, position.y, coordinate_limit);
+    throw Coordinate_range_error_2(id, position.x, position.y, coordinate_limit, name);
   return position;
 }
 

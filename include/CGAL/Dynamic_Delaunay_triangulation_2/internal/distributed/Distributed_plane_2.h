@@ -193,7 +193,7 @@ public:
   template <class Point>
   Position_2 checked(const Point& p, std::size_t place) const
   {
-    return checked_position(p, place);
+    return checked_position(p, place, point_at_place);
   }
 
   // The image of a point that its owner holds: of a new point, and of one that has moved.

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_question_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_ranks_2.h>
@@ -95,6 +96,7 @@ public:
   // The place of the image that this rank owns, or else of a ghost. \pre `holds(id)`
   Index place(Id id) const
   {
+    CGAL_precondition(holds(id));
     const auto [first, beyond] = m_places.equal_range(id);
     const auto own = std::find_if(first, beyond, [&](const auto& p) { return is_owned(p.second); });
     return own != beyond ? own->second : first->second;
@@ -134,14 +136,20 @@ public:
 
   bool certify() { return m_dt.certify(); }
 
-  // For each vertex of the triangulation, 1 if an own point is there, else 0.
-  std::vector<std::uint8_t> owned_vertices() const
+  // For each vertex of the triangulation, 1 if an own point is there, the k-th one, for which
+  // `is_meant(k)` holds, else 0.
+  template <class Predicate>
+  std::vector<std::uint8_t> owned_vertices(const Predicate& is_meant) const
   {
     const auto frame = m_dt.frame();
-    std::vector<std::uint8_t> are_owned(frame.number_of_vertices() + std::size_t(1), 0);
-    for (const Index place : m_owned)
-      are_owned[frame.vertex(place)] = 1;
-    return are_owned;
+    std::vector<std::uint8_t> are_meant(frame.number_of_vertices() + std::size_t(1), 0);
+    for (std::size_t k = 0; k < m_owned.size(); ++k) // no branches, which could not be predicted
+      are_meant[frame.vertex(m_owned[k])] |= std::uint8_t(is_meant(k));
+    return are_meant;
+  }
+  std::vector<std::uint8_t> owned_vertices() const
+  {
+    return owned_vertices([](std::size_t) { return true; });
   }
 
   // Replaces all points by these, which this rank owns.
@@ -201,7 +209,8 @@ public:
   void start_exchange(const Space& space, const std::vector<Position_2>& positions)
   {
     const Space last = std::exchange(m_space, space);
-    move(true, positions, last);
+    if (has_exports())
+      move(true, positions, last);
     m_ranks.exchange().start();
     send_known();
     move(false, positions, last);
@@ -361,6 +370,14 @@ private:
     --m_export_counts[place];
   }
 
+  bool has_exports() const
+  {
+    return std::any_of(m_links.begin(), m_links.end(), [](const Links& links) {
+      return std::any_of(links.begin(), links.end(),
+                         [](const auto& link) { return !link.second.exports.empty(); });
+    });
+  }
+
   // Moves the own points that are exports, or all other own points.
   void move(bool are_exports, const std::vector<Position_2>& positions, const Space& last)
   {
@@ -421,11 +438,22 @@ private:
   {
     Owned_boxes boxes;
     boxes.stretches.resize((m_owned.size() + stretch - 1) / stretch);
-    for (std::size_t k = 0; k < m_owned.size(); ++k) {
+    for (std::size_t k = 0; k < m_owned.size(); ++k)
       boxes.stretches[k / stretch].add(position(m_owned[k]));
-      boxes.all.add(position(m_owned[k]));
+    for (const Box_2& box : boxes.stretches) {
+      boxes.all.add({box.x_low, box.y_low});
+      boxes.all.add({box.x_high, box.y_high});
     }
     return boxes;
+  }
+
+  // Whether any rank, or in a periodic space this one itself, may want images of own points.
+  bool has_any_zone() const
+  {
+    for (std::size_t r = 0; r < m_zones.size(); ++r)
+      if (!m_zones[r].is_empty() && (Space::is_periodic || r != std::size_t(m_ranks.rank())))
+        return true;
+    return false;
   }
 
   void export_to_zone(std::size_t r, const Owned_boxes& boxes)
@@ -473,7 +501,9 @@ private:
   // Sends images of own points that are in the zones of ranks that do not hold them yet.
   void send_new()
   {
-    const Owned_boxes boxes = owned_boxes();
+    Owned_boxes boxes;
+    if (has_any_zone())
+      boxes = owned_boxes();
     for (std::size_t r = 0; r < m_links.size(); ++r) {
       m_ranks.exchange().progress();
       for (auto& [shift, link] : m_links[r])

@@ -11,12 +11,15 @@
 
 #include <mpi.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <limits>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -64,6 +67,11 @@ public:
   std::uint64_t sum(std::uint64_t value) { return reduced(value, MPI_UINT64_T, MPI_SUM); }
   std::uint64_t largest(std::uint64_t value) { return reduced(value, MPI_UINT64_T, MPI_MAX); }
   std::int64_t lowest(std::int64_t value) { return reduced(value, MPI_INT64_T, MPI_MIN); }
+  template <std::size_t n>
+  std::array<std::int64_t, n> lowest(const std::array<std::int64_t, n>& values)
+  {
+    return reduced(values, MPI_INT64_T, MPI_MIN, int(n));
+  }
   double largest(double value) { return reduced(value, MPI_DOUBLE, MPI_MAX); }
   template <std::size_t n>
   std::array<std::uint64_t, n> largest(const std::array<std::uint64_t, n>& values)
@@ -99,6 +107,25 @@ public:
     return all;
   }
 
+  // The texts of all ranks.
+  std::vector<std::string> texts(const std::string& own)
+  {
+    const Gathered_2<char> all = gather(std::vector<char>(own.begin(), own.end()));
+    std::vector<std::string> texts;
+    for (std::size_t r = 0; r < size(); ++r)
+      texts.emplace_back(all.values.begin() + std::ptrdiff_t(all.offsets[r]),
+                         all.values.begin() + std::ptrdiff_t(all.offsets[r + 1]));
+    return texts;
+  }
+
+  // Whether all ranks give the same value.
+  template <class T>
+  bool is_same(const T& value)
+  {
+    const std::vector<T> all = gather(std::vector<T>{value}).values;
+    return std::count(all.begin(), all.end(), value) == m_size;
+  }
+
   // One empty message to each rank, for `send()`. Messages that stay empty are not sent.
   std::vector<Message_2> empty_messages() const
   {
@@ -129,9 +156,11 @@ public:
     return arrived;
   }
 
-  // Reads input; if that throws on any rank it throws on all of them.
+  // Begins a collective call, by its name, with reading its input. If that throws on any rank it
+  // throws on all of them; and so it does if ranks have begun different calls, which would wait for
+  // each other forever. So each collective call has to begin with this.
   template <class Read>
-  void agree(const Read& read)
+  void agree(const std::string& call, const Read& read)
   {
     std::exception_ptr error;
     try {
@@ -139,14 +168,29 @@ public:
     } catch (...) {
       error = std::current_exception();
     }
-    const std::int64_t first = lowest(std::int64_t(error ? m_rank : m_size));
+    const auto key = std::int64_t(std::hash<std::string>()(call));
+    const auto [first, lowest_key, lowest_inverse] =
+        lowest(std::array<std::int64_t, 3>{error ? m_rank : m_size, key, ~key});
+    if (lowest_key != ~lowest_inverse)
+      refuse_different(texts(call));
     if (error)
       std::rethrow_exception(error);
     if (first < m_size)
       throw Distributed_input_error_2(int(first));
   }
+  void agree(const std::string& call)
+  {
+    agree(call, [] {});
+  }
 
 private:
+  [[noreturn]] static void refuse_different(const std::vector<std::string>& calls)
+  {
+    const auto other = std::find_if(calls.begin(), calls.end(),
+                                    [&](const std::string& call) { return call != calls.front(); });
+    throw Distributed_input_error_2(int(other - calls.begin()), calls.front(), *other);
+  }
+
   static MPI_Comm copy(MPI_Comm communicator)
   {
     MPI_Comm copied;
@@ -158,6 +202,8 @@ private:
   template <class T>
   T reduced(const T& values, MPI_Datatype type, MPI_Op operation, int count = 1)
   {
+    if (m_size == 1)
+      return values;
     const double begin = MPI_Wtime();
     T result;
     MPI_Allreduce(&values, &result, count, type, operation, m_communicator);

@@ -136,20 +136,18 @@ public:
 
   void agree(Distributed_ranks_2& ranks) const
   {
-    const auto all = ranks.gather(std::vector<Parameters>{parameters()}).values;
-    for (const Parameters& p : all)
-      if (p.cell != all.front().cell)
-        throw Periodic_cell_error_2(p.cell[0], p.cell[1], p.cell[2], p.cell[3],
-                                    "it must be the same on all ranks");
+    if (!ranks.is_same(parameters().cell))
+      throw Periodic_cell_error_2(cell().ax(), cell().ay(), cell().bx(), cell().by(),
+                                  "it must be the same on all ranks");
   }
 
   template <class Point>
   Position_2 checked(const Point& p, std::size_t place) const
   {
-    const Position_2 position = checked_position(p, place);
+    const Position_2 position = checked_position(p, place, point_at_place);
     const Position_2 m = m_torus.multiples(position);
     if (!(std::abs(m.x) < most_cells && std::abs(m.y) < most_cells && m_grid.has_room(position)))
-      throw Periodic_range_error_2(place, position.x, position.y, most_cells);
+      throw Periodic_range_error_2(place, position.x, position.y, most_cells, point_at_place);
     return m_grid.rounded(position);
   }
 
@@ -165,7 +163,7 @@ public:
                    const Distributed_torus_2& last) const
   {
     const Position_2 m = multiples(given), then = last.multiples(before);
-    const double i = std::round(then.x - m.x), j = std::round(then.y - m.y);
+    const double i = nearest_integer(then.x - m.x), j = nearest_integer(then.y - m.y);
     const auto is_near = [](double t) { return t >= -0.9 && t <= 1.9; };
     return is_near(m.x + i) && is_near(m.y + j) ? image(given, i, j) : first_image(given);
   }

@@ -60,6 +60,7 @@ public:
   }
 
   // All functions but const ones and `ranks()` are collective, under `Default_floating_point_2`.
+  // Whatever is to be the same on all ranks is compared before it is used.
 
   // Begins with these points, in the space that `make_space()` returns, if it does not throw.
   template <class MakeSpace, class InputIterator>
@@ -68,15 +69,18 @@ public:
   {
     Space space;
     std::vector<Entry> entries;
-    m_ranks.agree([&] {
+    m_ranks.agree(Space::is_periodic ? "the periodic constructor" : "the constructor", [&] {
       if (!(load_factor >= 1))
         throw Parameter_error_2("the load factor", load_factor, 1, infinity);
       space = make_space();
       entries = read(space, first, beyond);
     });
+    if (!m_ranks.is_same(load_factor))
+      throw Parameter_error_2("the load factor", load_factor, "the same on all ranks");
     space.agree(m_ranks);
     refuse_repeated(seen_here(ids_of(entries)));
     m_load_factor = load_factor;
+    m_order.stay(m_ranks, entries.size());
     reset(space, std::move(entries));
   }
 
@@ -84,24 +88,27 @@ public:
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond)
   {
-    return update(Space(space()), first, beyond);
+    const auto same = [&] { return space(); };
+    Space next = space();
+    const auto positions = read_frame("update()", next, same, first, beyond);
+    return move(next, positions);
   }
 
   // Moves the own points, in the space that `make_space()` returns, if it does not throw.
   template <class MakeSpace, class InputIterator>
   Update_report_2 update_in(const MakeSpace& make_space, InputIterator first, InputIterator beyond)
   {
-    Space next;
-    m_ranks.agree([&] { next = make_space(); });
+    Space next = space();
+    const auto positions = read_frame("update() with a cell", next, make_space, first, beyond);
     next.agree(m_ranks);
-    return update(next, first, beyond);
+    return move(next, positions);
   }
 
   template <class InputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond)
   {
     std::vector<Entry> entries;
-    m_ranks.agree([&] { entries = read(space(), first, beyond); });
+    m_ranks.agree("insert()", [&] { entries = read(space(), first, beyond); });
     check_new(ids_of(entries));
     m_is_certified = false;
     const Update_report_2 report = m_points.insert(entries);
@@ -113,7 +120,7 @@ public:
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
     std::vector<Id> given;
-    m_ranks.agree([&] { given.assign(first, beyond); });
+    m_ranks.agree("remove()", [&] { given.assign(first, beyond); });
     const std::vector<Index> own = own_places(given);
     m_is_certified = false;
     const Update_report_2 report = m_points.remove(own);
@@ -123,9 +130,8 @@ public:
 
   void distribute()
   {
-    m_is_certified = false;
-    settle(space(), m_order.distribute(m_ranks, space(), owned_entries()));
-    ++m_distributions;
+    m_ranks.agree("distribute()");
+    distribute_anew();
   }
 
   size_type number_of_distributions() const { return m_distributions; }
@@ -133,9 +139,11 @@ public:
   template <class T>
   std::vector<T> carry(const std::vector<T>& data)
   {
-    m_ranks.agree([&] {
+    m_ranks.agree("carry() with " + std::to_string(sizeof(T)) + " bytes of each point", [&] {
       if (data.size() != m_order.size_before())
-        throw Point_count_error_2(m_order.size_before(), data.size());
+        throw Point_count_error_2(m_order.size_before(), data.size(),
+                                  "one for each point that this rank owned before the last "
+                                  "distribution");
     });
     return m_order.carry(m_ranks, data);
   }
@@ -216,25 +224,27 @@ public:
 
   void write_checkpoint(const std::string& path)
   {
-    Checkpoint(m_ranks, path).write(space().parameters(), owned_entries(), nullptr, 0);
+    m_ranks.agree("write_checkpoint()");
+    Checkpoint(m_ranks, path, 0).write(space().parameters(), owned_entries(), nullptr);
   }
 
   template <class T>
   void write_checkpoint(const std::string& path, const std::vector<T>& data)
   {
     static_assert(std::is_trivially_copyable_v<T>, "only plain data can be written");
-    m_ranks.agree([&] {
+    m_ranks.agree("write_checkpoint()", [&] {
       if (data.size() != m_points.owned().size())
-        throw Point_count_error_2(m_points.owned().size(), data.size());
+        throw Point_count_error_2(m_points.owned().size(), data.size(), due);
     });
     const auto bytes = reinterpret_cast<const char*>(data.data());
-    Checkpoint(m_ranks, path).write(space().parameters(), owned_entries(), bytes, sizeof(T));
+    Checkpoint(m_ranks, path, sizeof(T)).write(space().parameters(), owned_entries(), bytes);
   }
 
   void read_checkpoint(const std::string& path)
   {
     std::vector<char> data;
     read_checkpoint(path, data, 0);
+    m_order.stay(m_ranks, m_points.owned().size());
   }
 
   template <class T>
@@ -246,11 +256,13 @@ public:
     std::vector<T> read(bytes.size() / sizeof(T));
     if (!read.empty())
       std::memcpy(static_cast<void*>(read.data()), bytes.data(), bytes.size());
-    data = m_load_factor < infinity ? m_order.carry(m_ranks, read) : read;
+    data = m_order.carry(m_ranks, read);
+    m_order.stay(m_ranks, m_points.owned().size());
   }
 
   bool certify()
   {
+    m_ranks.agree("certify()");
     m_proof.run(false);
     const bool is_proved = m_points.certify();
     m_is_certified = !m_ranks.is_any(!is_proved);
@@ -259,6 +271,7 @@ public:
 
   bool is_valid()
   {
+    m_ranks.agree("is_valid()");
     std::vector<Id> ids = seen_here(owned_ids());
     std::sort(ids.begin(), ids.end());
     bool is_valid = std::adjacent_find(ids.begin(), ids.end()) == ids.end();
@@ -286,6 +299,9 @@ private:
   // own. So distribution because of held points waits for so many calls after the last one.
   static constexpr int calls_between_distributions = 32;
 
+  // How many positions or data a rank has to give.
+  static constexpr const char* due = "one for each point that this rank owns";
+
   using Point = typename Points::Point;
 
   template <class InputIterator>
@@ -301,22 +317,32 @@ private:
     return entries;
   }
 
-  template <class InputIterator>
-  Update_report_2 update(const Space& next, InputIterator first, InputIterator beyond)
+  // Sets `next` to the next space, and returns the positions of the own points in it.
+  template <class MakeSpace, class InputIterator>
+  std::vector<Position_2> read_frame(const std::string& call, Space& next,
+                                     const MakeSpace& make_space, InputIterator first,
+                                     InputIterator beyond)
   {
     std::vector<Position_2> positions;
-    m_ranks.agree([&] {
+    m_ranks.agree(call, [&] {
+      next = make_space();
       const size_type n = m_points.owned().size();
-      positions.reserve(n);
-      for (; first != beyond; ++first) {
-        if (positions.size() == n)
-          throw Point_count_error_2(n, n + 1);
+      positions.resize(n);
+      size_type given = 0;
+      for (; first != beyond; ++first, ++given) {
+        if (given == n)
+          throw Point_count_error_2(n, n + 1, due);
         const Point& p = *first;
-        positions.push_back(next.checked(p, positions.size()));
+        positions[given] = next.checked(p, given);
       }
-      if (positions.size() != n)
-        throw Point_count_error_2(n, positions.size());
+      if (given != n)
+        throw Point_count_error_2(n, given, due);
     });
+    return positions;
+  }
+
+  Update_report_2 move(const Space& next, const std::vector<Position_2>& positions)
+  {
     m_is_certified = false;
     if (!next.continues(space()))
       return begin_anew(next, positions);
@@ -356,16 +382,22 @@ private:
 
   void read_checkpoint(const std::string& path, std::vector<char>& data, size_type size)
   {
+    m_ranks.agree("read_checkpoint()");
     typename Checkpoint::Parameters parameters;
     Space space;
     std::vector<Entry> entries;
-    Checkpoint(m_ranks, path).read(parameters, entries, data, size);
-    m_ranks.agree([&] {
+    Checkpoint checkpoint(m_ranks, path, size);
+    checkpoint.read(parameters, entries, data);
+    checkpoint.check([&] {
       space = Space(parameters);
-      for (size_type k = 0; k < entries.size(); ++k)
-        space.checked(Point(entries[k].x, entries[k].y), k);
+      for (size_type k = 0; k < entries.size(); ++k) {
+        const Position_2 p = space.checked(Point(entries[k].x, entries[k].y), k);
+        entries[k] = {entries[k].id, p.x, p.y};
+      }
     });
-    refuse_repeated(seen_here(ids_of(entries)));
+    const std::vector<Id> ids = seen_here(ids_of(entries));
+    checkpoint.check([&] { refuse_repeated(ids); });
+    m_order.stay(m_ranks, entries.size());
     reset(space, std::move(entries));
     ++m_distributions;
   }
@@ -432,6 +464,13 @@ private:
     return places;
   }
 
+  void distribute_anew()
+  {
+    m_is_certified = false;
+    settle(space(), m_order.distribute(m_ranks, space(), owned_entries()));
+    ++m_distributions;
+  }
+
   // Completes a change of own points, after `start_exchange()`.
   Update_report_2 complete(Update_report_2 report)
   {
@@ -459,7 +498,7 @@ private:
     const bool holds_many = double(most[0]) > m_load_factor * m_settled_load + spare_load;
     const bool owns_many = double(most[1]) > m_load_factor * owned + spare_load;
     if (owns_many || (holds_many && m_calls_since_distribution >= calls_between_distributions))
-      return distribute();
+      return distribute_anew();
     ++m_calls_since_distribution;
     // the load falls as ghosts that answers have brought are dropped where they are not needed
     m_settled_load = (std::min)(m_settled_load, double(most[0]));

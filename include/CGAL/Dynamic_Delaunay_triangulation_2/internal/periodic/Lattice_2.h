@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/enum.h>
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -127,6 +129,15 @@ inline std::array<Periodic_shift_2, 2> multiples_in_new_cell(const Torus_2& old_
   return determinant(rounded) == determinant(deformed) ? rounded : deformed;
 }
 
+// std::round(t), which is a call of a library where processors without SSE4.1 are to be supported.
+inline double nearest_integer(double t)
+{
+  if (!(std::abs(t) < 0x1p52)) // no fraction
+    return t;
+  const double truncated = double(std::int64_t(t)), rest = t - truncated;
+  return std::copysign(truncated + double((rest >= 0.5) - (rest <= -0.5)), t);
+}
+
 // A square grid on which a cell's vectors, points and their images near the origin are exact
 // doubles: the multiples of a unit u, a power of 2.
 //
@@ -142,19 +153,17 @@ class Lattice_grid_2
 {
 public:
   // Rounds the cell. Throws if it is a slab, or so thin or extreme that doubles cannot tell how far
-  // points are apart in it. Rounding a rounded cell changes nothing, so that points can be given
-  // back as they are.
+  // points are apart in it, or that rounding makes its vectors parallel. Rounding a rounded cell
+  // changes nothing, so that points can be given back as they are.
   explicit Lattice_grid_2(const Periodic_cell_2& given)
     : m_cell(given)
-    , m_unit(unit_for(given))
   {
+    set_unit(unit_for(given));
     for (double last = 0; last != m_unit;) {
       last = m_unit;
-      const Position_2 a = rounded({m_cell.ax(), m_cell.ay()}),
-                       b = rounded({m_cell.bx(), m_cell.by()});
-      m_cell = Periodic_cell_2(a.x, a.y, b.x, b.y);
+      m_cell = rounded(given, m_cell);
       // The loop ends: on a finer grid the cell stays as it is, and few grids are coarser.
-      m_unit = unit_for(m_cell);
+      set_unit(unit_for(m_cell));
     }
     m_ax = in_units(m_cell.ax()), m_ay = in_units(m_cell.ay());
     m_bx = in_units(m_cell.bx()), m_by = in_units(m_cell.by());
@@ -169,12 +178,14 @@ public:
   }
   Position_2 rounded(const Position_2& p) const
   {
-    return {m_unit * std::round(p.x / m_unit), m_unit * std::round(p.y / m_unit)};
+    return {m_unit * nearest_integer(p.x * m_per_unit), m_unit * nearest_integer(p.y * m_per_unit)};
   }
 
-  // p + i a + j b, for p on the grid.
+  // p + i a + j b, for p on the grid, within 2^62 units.
   Position_2 sum(const Position_2& p, std::int64_t i, std::int64_t j) const
   {
+    if ((i | j) == 0)
+      return {p.x + 0.0, p.y + 0.0}; // without -0, as below
     const auto k = std::uint64_t(i), l = std::uint64_t(j);
     return {from_units(in_units(p.x) + k * m_ax + l * m_bx),
             from_units(in_units(p.y) + k * m_ay + l * m_by)};
@@ -185,36 +196,59 @@ private:
   // Limits of H. Within them, units cause no avoidable under- or overflow of products.
   static constexpr double least = 0x1p-400, most = 0x1p400;
 
+  void set_unit(double unit)
+  {
+    m_unit = unit;
+    m_per_unit = 1 / unit; // a power of 2 as well
+  }
+
+  [[noreturn]] static void refuse(const Periodic_cell_2& cell, const std::string& demand)
+  {
+    throw Periodic_cell_error_2(cell.ax(), cell.ay(), cell.bx(), cell.by(), demand);
+  }
+
+  Periodic_cell_2 rounded(const Periodic_cell_2& given, const Periodic_cell_2& cell) const
+  {
+    const Position_2 a = rounded({cell.ax(), cell.ay()}), b = rounded({cell.bx(), cell.by()});
+    try {
+      return Periodic_cell_2(a.x, a.y, b.x, b.y);
+    } catch (const Periodic_cell_error_2&) {
+      refuse(given, "it is so thin that its vectors would be parallel when points and vectors are "
+                    "rounded to multiples of " +
+                        message_text(m_unit));
+    }
+  }
+
   static double unit_for(const Periodic_cell_2& cell)
   {
-    const auto refuse = [&](const char* demand) {
-      throw Periodic_cell_error_2(cell.ax(), cell.ay(), cell.bx(), cell.by(), demand);
-    };
     if (cell.is_slab())
-      refuse("points on several ranks need two vectors");
+      refuse(cell, "points on several ranks need two vectors");
     const Torus_2 torus(cell);
     if (!torus.is_measurable())
-      refuse("doubles cannot tell how far points are apart in it");
+      refuse(cell, "doubles cannot tell how far points are apart in it");
     double sum = 0;
     for (const Periodic_shift_2& s : short_basis(torus)) {
       const Position_2 v = torus.vector({double(s[0]), double(s[1])});
       sum += std::hypot(v.x, v.y);
     }
     if (!(sum > least && sum < most))
-      refuse("doubles cannot tell how far points are apart in it");
+      refuse(cell, "doubles cannot tell how far points are apart in it");
     return std::ldexp(1.0, std::ilogb(sum) + 1 - 45);
   }
 
   // Returns x in units, modulo 2^64. \pre `x` is a multiple of the unit.
   std::uint64_t in_units(double x) const
   {
-    const double n = std::fmod(x / m_unit, 0x1p64);
+    const double units = x * m_per_unit;
+    if (std::abs(units) < 0x1p62)
+      return std::uint64_t(std::int64_t(units));
+    const double n = std::fmod(units, 0x1p64);
     return n < 0 ? -std::uint64_t(-n) : std::uint64_t(n);
   }
   double from_units(std::uint64_t n) const { return double(std::int64_t(n)) * m_unit; }
 
   Periodic_cell_2 m_cell;
-  double m_unit;
+  double m_unit, m_per_unit;
   std::uint64_t m_ax, m_ay, m_bx, m_by;
 };
 

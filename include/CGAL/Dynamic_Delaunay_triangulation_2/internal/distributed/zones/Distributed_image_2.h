@@ -14,6 +14,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 using Distributed_id_2 = std::int64_t;
 
+// How messages begin that are about a point of a range, whose number follows: that is no id.
+constexpr const char* point_at_place = "the point at place";
+
 // A point as the user gave it, or as it is triangulated.
 struct Distributed_entry_2
 {

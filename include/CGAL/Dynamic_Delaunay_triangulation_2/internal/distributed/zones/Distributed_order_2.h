@@ -56,6 +56,14 @@ public:
     return entries;
   }
 
+  // Forgets the last distribution: this rank has owned, and owns, so many points.
+  void stay(const Distributed_ranks_2& ranks, std::size_t size)
+  {
+    m_destinations.assign(size, std::size_t(ranks.rank()));
+    m_origins.resize(size);
+    std::iota(m_origins.begin(), m_origins.end(), std::size_t(0));
+  }
+
   // How many points this rank owned before the last distribution.
   std::size_t size_before() const { return m_destinations.size(); }
 
