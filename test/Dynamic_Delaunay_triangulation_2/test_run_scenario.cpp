@@ -658,7 +658,7 @@ TEST(Domain, in_a_broken_file_is_refused_with_its_place)
 {
   expect_refused_domain("broken.geojson", "{\n  \"type\": oops\n}\n", {"line 2", "column 11"});
   expect_refused_domain("broken.wkt", "POLYGON ((0 0, 4 0, four 4, 0 0))",
-                        {"line 1, column 22", "'four' in corner 2 of ring 0"});
+                        {"line 1, column 21", "'four' in corner 2 of ring 0"});
   expect_refused_domain("line.wkt", "LINESTRING (0 0, 4 0)", {"POLYGON"});
   expect_refused_domain("empty.wkt", "", {"POLYGON"});
   expect_refused_domain("several.geojson", R"({"type": "MultiPolygon", "coordinates": []})",
