@@ -165,7 +165,7 @@ TEST(Periodic_dump, is_known_by_the_two_boundaries_of_the_plane)
   EXPECT_EQ(cell_under("pp ss pp")->is_periodic, (std::array<bool, 2>{true, false}));
   EXPECT_EQ(cell_under("fs pp ff")->is_periodic, (std::array<bool, 2>{false, true}));
   EXPECT_FALSE(cell_under("ff mm pp"));
-  EXPECT_FALSE(cell_under(""));
+  EXPECT_THROW(cell_under(""), scenario::Scenario_error) << "it does not say";
 }
 
 TEST(Tilted_dump, is_followed_through_a_flip_of_its_cell_without_a_rebuild)
