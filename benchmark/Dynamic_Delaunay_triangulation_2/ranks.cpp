@@ -11,7 +11,8 @@
 //               of its own points
 //   depth       ghosts over 4 sqrt(own): how many layers around a square of unit spacing they are
 //   messages    messages between two ranks, of a frame
-//   bytes       in these messages; `ideal` is 16 bytes for each ghost, in a periodic cell 24
+//   bytes       in these messages; `ideal` is 16 bytes for each ghost, in a periodic cell 24, also
+//               for images of a rank's own points, which need no message
 //   gathered    bytes of a frame that each rank receives from all ranks by collective calls
 //   asking      the share of frames in which any rank had to ask, in percent
 //   ms          milliseconds of a frame, until the last rank has ended it: median over the frames,
@@ -21,9 +22,15 @@
 //               under way, in percent
 //
 // With more processes than cores the last six columns are meaningless.
+//
+// With `--speed` the ranks share the points, and only the median of `ms` is printed, for Brownian
+// 0.01 in the plane and on a torus. One rank takes turns with the classes of one process, `plain`,
+// which are given the points in the order in which the rank owns them.
 
 #include <CGAL/Distributed_dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Distributed_dynamic_periodic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include "scenario_runner/Measurement.h"
@@ -95,10 +102,30 @@ struct Figures
   double median, low_quartile, high_quartile, worst; // of the frames, in seconds
 };
 
-const auto in_the_plane = [](Distributed& dt, const std::vector<Point>& next) {
+const auto in_the_same_space = [](auto& dt, const std::vector<Point>& next) {
   dt.update(next.begin(), next.end());
 };
 constexpr double bytes_of_point = 16, bytes_of_image = 24;
+
+constexpr int first_frames = 12; // they drop the superfluous ghosts of construction
+
+// How long this rank takes for a frame in which the points go from where they are to `next`.
+template <class Triangulation, class Update>
+double seconds_of_frame(Triangulation& dt, const std::vector<Point>& next, const Update& update)
+{
+  MPI_Barrier(MPI_COMM_WORLD);
+  const double begin = MPI_Wtime();
+  update(dt, next);
+  return MPI_Wtime() - begin;
+}
+
+// The times of all frames until the last rank has ended them.
+run::Spread spread_of_frames(std::vector<double>& seconds)
+{
+  MPI_Allreduce(MPI_IN_PLACE, seconds.data(), int(seconds.size()), MPI_DOUBLE, MPI_MAX,
+                MPI_COMM_WORLD);
+  return *run::spread(seconds);
+}
 
 template <class Triangulation, class Move, class Update>
 Figures measure(Triangulation& dt, int frames, double bytes_of_ghost, const Move& move,
@@ -110,14 +137,11 @@ Figures measure(Triangulation& dt, int frames, double bytes_of_ghost, const Move
       std::vector<Point> next = dt.owned_points();
       for (Point& p : next)
         p = move(p);
-      MPI_Barrier(MPI_COMM_WORLD);
-      const double begin = MPI_Wtime();
-      update(dt, next);
-      seconds.push_back(MPI_Wtime() - begin);
+      seconds.push_back(seconds_of_frame(dt, next, update));
     }
     return seconds;
   };
-  run_frames(12); // drops the superfluous ghosts of construction
+  run_frames(first_frames);
   const Frame_mean messages(double(dt.number_of_messages()), frames);
   const Frame_mean bytes(double(dt.number_of_bytes()), frames);
   const Frame_mean gathered(double(dt.number_of_gathered_bytes()), frames);
@@ -126,8 +150,7 @@ Figures measure(Triangulation& dt, int frames, double bytes_of_ghost, const Move
   const Frame_mean overlap(dt.overlapped_seconds(), frames);
   std::vector<double> seconds = run_frames(frames);
   const double own_mean = std::accumulate(seconds.begin(), seconds.end(), 0.0) / frames;
-  MPI_Allreduce(MPI_IN_PLACE, seconds.data(), frames, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
-  const run::Spread spread = *run::spread(seconds);
+  const run::Spread spread = spread_of_frames(seconds);
   return {mean(double(dt.number_of_owned_points())),
           mean(double(dt.number_of_ghosts())),
           mean(number_of_needed_ghosts(dt)),
@@ -220,6 +243,59 @@ bool measure_periodic(const std::vector<std::pair<std::int64_t, Point>>& given, 
   return dt.is_certified() && dt.is_valid();
 }
 
+// The same motion by a class of one process and by the ranks, frame by frame in turn, so that the
+// machine is the same for both. `plain` is null where other ranks would wait for it.
+template <class Plain, class Triangulation>
+std::array<double, 2> median_milliseconds(Plain* plain, Triangulation& dt, int frames)
+{
+  std::mt19937_64 random(unsigned(this_rank) + 1);
+  std::normal_distribution<double> step(0, 0.01);
+  std::vector<double> of_plain, of_ranks;
+  for (int frame = 0; frame < first_frames + frames; ++frame) {
+    std::vector<Point> next = dt.owned_points();
+    for (Point& p : next)
+      p = Point(p.x() + step(random), p.y() + step(random));
+    const double plain_seconds = plain ? seconds_of_frame(*plain, next, in_the_same_space) : 0;
+    const double seconds = seconds_of_frame(dt, next, in_the_same_space);
+    if (frame >= first_frames) {
+      of_plain.push_back(plain_seconds);
+      of_ranks.push_back(seconds);
+    }
+  }
+  return {1000 * spread_of_frames(of_plain).median, 1000 * spread_of_frames(of_ranks).median};
+}
+
+void print_milliseconds(const std::string& name, double plane, double torus)
+{
+  if (this_rank == 0)
+    std::printf("%-10s %10.2f %10.2f\n", name.c_str(), plane, torus);
+}
+
+// One or two rows of a table of strong scaling: the ranks share the points.
+bool measure_speed(const std::vector<std::pair<std::int64_t, Point>>& given, double side,
+                   int frames)
+{
+  const CGAL::Periodic_cell_2 cell(side, side);
+  Distributed dt(MPI_COMM_WORLD, given.begin(), given.end());
+  Distributed_periodic pt(MPI_COMM_WORLD, given.begin(), given.end(), cell);
+  std::array<double, 2> plane, torus;
+  if (number_of_ranks == 1) {
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel> plain(dt.owned_points());
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel> plain_pt(pt.owned_points(), cell);
+    plane = median_milliseconds(&plain, dt, frames);
+    torus = median_milliseconds(&plain_pt, pt, frames);
+    std::printf("\n%zu points in all, milliseconds of a frame\n%-10s %10s %10s\n", given.size(), "",
+                "plane", "torus");
+    print_milliseconds("plain", plane[0], torus[0]);
+  } else {
+    plane = median_milliseconds<Distributed>(nullptr, dt, frames);
+    torus = median_milliseconds<Distributed_periodic>(nullptr, pt, frames);
+  }
+  print_milliseconds(std::to_string(number_of_ranks) + (number_of_ranks == 1 ? " rank" : " ranks"),
+                     plane[1], torus[1]);
+  return dt.is_certified() && dt.is_valid() && pt.is_certified() && pt.is_valid();
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -229,10 +305,12 @@ int main(int argc, char** argv)
   MPI_Comm_size(MPI_COMM_WORLD, &number_of_ranks);
   const int points = argc > 1 ? std::atoi(argv[1]) : 20000;
   const int frames = argc > 2 ? (std::max)(std::atoi(argv[2]), 1) : 50;
-  const bool has_model = argc > 3 && std::string(argv[3]) == "--model";
+  const std::string mode = argc > 3 ? argv[3] : "";
+  const bool has_model = mode == "--model", is_about_speed = mode == "--speed";
+  const int share = is_about_speed ? points / number_of_ranks : points;
 
   std::mt19937_64 random(unsigned(this_rank) + 1);
-  const double side = std::sqrt(double(points) * number_of_ranks);
+  const double side = std::sqrt(double(share) * number_of_ranks);
   std::uniform_real_distribution<double> coordinate(0, side);
   std::normal_distribution<double> step(0, 1);
   const auto brownian = [&](double spread) {
@@ -241,16 +319,21 @@ int main(int argc, char** argv)
     };
   };
   std::vector<std::pair<std::int64_t, Point>> given;
-  for (int i = 0; i < points; ++i)
-    given.emplace_back(std::int64_t(this_rank) * points + i,
+  for (int i = 0; i < share; ++i)
+    given.emplace_back(std::int64_t(this_rank) * share + i,
                        Point(coordinate(random), coordinate(random)));
+  if (is_about_speed) {
+    const bool is_good = measure_speed(given, side, frames);
+    MPI_Finalize();
+    return is_good ? 0 : 1;
+  }
   Distributed dt(MPI_COMM_WORLD, given.begin(), given.end());
   if (this_rank == 0)
     std::printf("%5s %-16s %8s %7s %7s %6s %8s %9s %9s %9s %7s %8s %8s %8s %8s %5s %5s\n", "ranks",
                 "motion", "own", "ghosts", "needed", "depth", "messages", "bytes", "ideal",
                 "gathered", "asking", "ms", "q1", "q3", "worst", "comm", "over");
   const auto measure_in_plane = [&](const auto& move) {
-    return measure(dt, frames, bytes_of_point, move, in_the_plane);
+    return measure(dt, frames, bytes_of_point, move, in_the_same_space);
   };
   print("Brownian 0.001", measure_in_plane(brownian(0.001)));
   const Figures usual = measure_in_plane(brownian(0.01));

@@ -195,12 +195,12 @@ TEST_F(Zones, Disks_of_faces_at_dense_points_are_in_the_zone)
     std::vector<bool> are_dense(frame.number_of_vertices() + std::size_t(1), false);
     Distributed_density_2 density;
     density.set_zone(zone);
-    density.clear();
     std::vector<Index> own, ghosts;
     for (Index v = 1; v < are_dense.size(); ++v)
       (v % 3 == 0 ? ghosts : own).push_back(v);
-    for (const Index v : own)
-      density.add_own(zone, frame.position(v));
+    density.clear(own.size());
+    for (std::size_t n = 0; n < own.size(); ++n)
+      density.add_own(n, zone, frame.position(own[n]));
     density.find_dense(zone, [&](const auto& add) {
       for (const Index v : ghosts)
         add(frame.position(v));
@@ -285,10 +285,10 @@ TEST_F(Zones, Points_at_the_end_of_long_ellipses_that_contain_no_block_are_not_d
   EXPECT_FALSE(contains(on_circle(end + 3.14)));
   Distributed_density_2 density;
   density.set_zone(zone);
-  density.clear();
-  for (const Point& p : places) {
-    const Point q = deformed(p, basis);
-    density.add_own(zone, {q.x(), q.y()});
+  density.clear(places.size());
+  for (std::size_t n = 0; n < places.size(); ++n) {
+    const Point q = deformed(places[n], basis);
+    density.add_own(n, zone, {q.x(), q.y()});
   }
   density.find_dense(zone, [](const auto&) {});
   EXPECT_FALSE(density.is_dense(0));

@@ -125,7 +125,8 @@ private:
   void for_each_face(const std::vector<std::uint8_t>& are_corners, const Function& f) const
   {
     const auto frame = m_points.dt().frame();
-    for (Index g = 0; g < frame.number_of_faces(); ++g) {
+    const Index faces = frame.number_of_faces();
+    for (Index g = 0; g < faces; ++g) {
       std::array<Index, 3> face = frame.face(g);
       const auto owned =
           std::find_if(face.begin(), face.end(), [&](Index v) { return are_corners[v] != 0; });
@@ -153,9 +154,8 @@ private:
       const Position_2 p = m_points.position(m_points.owned().front());
       open.push_back({Question::EVERYTHING, {}, p.x, p.y});
     }
-    std::vector<std::uint8_t> corners = m_points.owned_vertices();
-    if (trusts_zone)
-      take_out_dense(corners);
+    const std::vector<std::uint8_t> corners =
+        trusts_zone ? sparse_vertices() : m_points.owned_vertices();
     for_each_face(corners, [&](const Question& question) {
       const Position_2 p = question.corner(0), q = question.corner(1);
       const bool is_proved = question.kind == Question::CIRCLE
@@ -167,26 +167,23 @@ private:
     return open;
   }
 
-  void take_out_dense(std::vector<std::uint8_t>& corners)
+  // The vertices of own points whose faces may reach out of the zone, for all that density tells.
+  std::vector<std::uint8_t> sparse_vertices()
   {
     m_density.find_dense(m_zone, [&](const auto& add) {
       m_points.for_each_ghost([&](Index place) { add(m_points.position(place)); });
     });
-    const auto frame = m_points.dt().frame();
-    const std::vector<Index>& owned = m_points.owned();
-    for (std::size_t k = 0; k < owned.size(); ++k)
-      if (m_density.is_dense(k))
-        corners[frame.vertex(owned[k])] = 0;
+    return m_points.owned_vertices([&](std::size_t k) { return !m_density.is_dense(k); });
   }
 
   void mark_own_points()
   {
-    m_density.clear();
     const std::vector<Index>& owned = m_points.owned();
+    m_density.clear(owned.size());
     for (std::size_t k = 0; k < owned.size(); ++k) {
       if (k % marks_at_once == 0)
         m_ranks.exchange().progress();
-      m_density.add_own(m_zone, m_points.position(owned[k]));
+      m_density.add_own(k, m_zone, m_points.position(owned[k]));
     }
   }
 

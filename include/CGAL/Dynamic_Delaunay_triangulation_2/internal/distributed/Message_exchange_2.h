@@ -77,6 +77,8 @@ private:
 // have, no message is left: Hoefler, Siebert, Lumsdaine, *Scalable communication protocols for
 // dynamic sparse data exchange*, 2010. Cost: the messages themselves, and one barrier.
 //
+// What a rank sends to itself is received at once, without MPI.
+//
 // While messages are under way the program goes on; MPI may carry them on only when it is called,
 // so a program that has much to do calls `progress()` now and then.
 class Message_exchange_2
@@ -85,6 +87,8 @@ public:
   explicit Message_exchange_2(MPI_Comm communicator)
     : m_communicator(communicator)
   {
+    MPI_Comm_rank(communicator, &m_rank);
+    MPI_Comm_size(communicator, &m_size);
   }
   Message_exchange_2(const Message_exchange_2&) = delete;
   Message_exchange_2& operator=(const Message_exchange_2&) = delete;
@@ -105,6 +109,8 @@ public:
     const std::size_t size = message.words().size();
     if (size > std::size_t((std::numeric_limits<int>::max)()))
       throw std::length_error("a message between two ranks is longer than 16 GB");
+    if (message.rank() == m_rank)
+      return m_incoming.push_back(std::move(message));
     const double begin = MPI_Wtime();
     m_outgoing.push_back(std::move(message));
     m_requests.emplace_back();
@@ -119,7 +125,7 @@ public:
   // Lets MPI carry on what is under way, if anything is.
   void progress()
   {
-    if (!m_is_started)
+    if (!m_is_started || m_size == 1)
       return;
     const double begin = MPI_Wtime();
     take();
@@ -131,19 +137,8 @@ public:
   // are in the order in which it sent them.
   std::vector<Message_2> finish()
   {
-    const double begin = MPI_Wtime();
-    MPI_Request barrier = MPI_REQUEST_NULL;
-    bool is_in_barrier = false;
-    for (int is_over = 0; !is_over;) {
-      take();
-      if (is_in_barrier) {
-        MPI_Test(&barrier, &is_over, MPI_STATUS_IGNORE);
-      } else if (are_taken()) {
-        MPI_Ibarrier(m_communicator, &barrier);
-        is_in_barrier = true;
-      }
-    }
-    note_communication(begin);
+    if (m_size > 1)
+      wait();
     m_is_started = false;
     m_outgoing.clear();
     m_requests.clear();
@@ -153,9 +148,9 @@ public:
     return incoming;
   }
 
-  // Since construction: messages and bytes that this rank has sent, seconds in which it has sent,
-  // received or waited, and seconds in which it has done other things while messages that it had
-  // sent were, for all it knew, under way.
+  // Since construction: messages and bytes that this rank has sent to others, seconds in which it
+  // has sent, received or waited, and seconds in which it has done other things while messages that
+  // it had sent were, for all it knew, under way.
   std::size_t sent_messages() const { return m_sent_messages; }
   std::size_t sent_bytes() const { return m_sent_bytes; }
   double seconds() const { return m_seconds; }
@@ -172,6 +167,23 @@ private:
       m_overlapped_seconds += begin - m_latest;
     m_is_under_way = !m_are_taken;
     m_latest = end;
+  }
+
+  void wait()
+  {
+    const double begin = MPI_Wtime();
+    MPI_Request barrier = MPI_REQUEST_NULL;
+    bool is_in_barrier = false;
+    for (int is_over = 0; !is_over;) {
+      take();
+      if (is_in_barrier) {
+        MPI_Test(&barrier, &is_over, MPI_STATUS_IGNORE);
+      } else if (are_taken()) {
+        MPI_Ibarrier(m_communicator, &barrier);
+        is_in_barrier = true;
+      }
+    }
+    note_communication(begin);
   }
 
   bool are_taken()
@@ -201,6 +213,7 @@ private:
   }
 
   MPI_Comm m_communicator;
+  int m_rank = 0, m_size = 1;
   int m_tag = 0;
   bool m_is_started = false;
   std::deque<Message_2> m_outgoing;

@@ -47,17 +47,17 @@ public:
         m_are_deep.push_back(zone.is_deep_block(column, row, around));
   }
 
-  // Forgets the own points.
-  void clear()
+  // Forgets the own points; so many of them will be added.
+  void clear(std::size_t number)
   {
     m_have_own.assign(m_are_deep.size() + 1, 0);
-    m_own_blocks.clear();
+    m_own_blocks.resize(number);
   }
-  // Adds the next own point.
-  void add_own(const Distributed_zone_2& zone, const Position_2& p)
+  // Adds the k-th own point.
+  void add_own(std::size_t k, const Distributed_zone_2& zone, const Position_2& p)
   {
-    m_own_blocks.push_back(zone.block(p.x, p.y));
-    m_have_own[m_own_blocks.back()] = 1;
+    m_own_blocks[k] = zone.block(p.x, p.y);
+    m_have_own[m_own_blocks[k]] = 1;
   }
 
   // Finds the dense blocks. `for_each_ghost(f)` calls f(p) for the position p of each ghost.

@@ -52,6 +52,7 @@ public:
     , m_rows(long(box.height() / cell_size) + 1)
     , m_cells(std::size_t(m_columns) * std::size_t(m_rows), 0)
   {
+    deform(Distributed_deformation_2());
   }
 
   bool is_empty() const { return m_cells.empty(); }
@@ -63,7 +64,7 @@ public:
   {
     const Distributed_deformation_2 back(basis, m_basis), forth(m_basis, basis);
     if (back.sum_of_squares() <= 4 && forth.sum_of_squares() <= 4)
-      m_deformation = back;
+      deform(back);
     else
       *this = Distributed_zone_2();
   }
@@ -78,7 +79,7 @@ public:
     if (read.is_empty())
       *this = Distributed_zone_2();
     else
-      m_deformation = read.m_deformation;
+      deform(read.m_deformation);
     return true;
   }
 
@@ -89,8 +90,7 @@ public:
   double depth_around(double x, double y) const
   {
     const Cell c = cell_of(x, y);
-    return (std::max)(layers(c.column, c.row) - 1, 0) / m_scale / m_deformation.largest_growth() *
-           (1 - 0x1p-16);
+    return (std::max)(layers(c.column, c.row) - 1, 0) * m_layer_depth;
   }
 
   // False only if no place in the box is in the zone. \pre The zone was read from words.
@@ -240,6 +240,12 @@ private:
   };
   using Numbers = std::array<double, 7>; // the vectors of the basis, x, y and the scale
 
+  void deform(const Distributed_deformation_2& deformation)
+  {
+    m_deformation = deformation;
+    m_layer_depth = 1 / m_scale / m_deformation.largest_growth() * (1 - 0x1p-16);
+  }
+
   static constexpr long most_single_cells = 64; // that are looked at one by one
   static constexpr long no_cell = (std::numeric_limits<long>::max)();
 
@@ -343,6 +349,7 @@ private:
   Basis_2 m_basis = unit_basis;            // when the zone was made
   Distributed_deformation_2 m_deformation; // from now to then
   double m_x = 0, m_y = 0, m_scale = 1;
+  double m_layer_depth = 0; // how much depth a layer of cells adds, not rounded up
   long m_columns = 0, m_rows = 0;
   std::vector<std::uint8_t> m_cells;   // of the box
   std::vector<std::uint8_t> m_layers;  // of the box: distances to cells outside of zone or box
