@@ -886,10 +886,13 @@ using Periodic_by = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
 
 TEST(Threads, change_nothing_in_periodic_space)
 {
-  Points points = Cloud<Epick>(10).uniform(80000); // fewer are not shared
-  points[17] = points[79000];                      // they have one cell
-  for (const CGAL::Periodic_cell_2& cell :
-       {CGAL::Periodic_cell_2(283, 285), CGAL::Periodic_cell_2(Epick::Vector_2(285, 1))}) {
+  // so many faces are shared, in the torus also so many cells; a slab is built point by point
+  for (const auto& [number, cell] :
+       {std::pair<std::size_t, CGAL::Periodic_cell_2>(70000, {265, 267}),
+        std::pair<std::size_t, CGAL::Periodic_cell_2>(
+            34000, CGAL::Periodic_cell_2(Epick::Vector_2(185, 1)))}) {
+    Points points = Cloud<Epick>(10).uniform(number);
+    points[17] = points[33000]; // they have one cell
     const Periodic_by<CGAL::Sequential_tag> one(points, cell);
     const Periodic_by<CGAL::Parallel_if_available_tag> many(points, cell);
     CGAL::Voronoi_cell_measures_2 alone, together;

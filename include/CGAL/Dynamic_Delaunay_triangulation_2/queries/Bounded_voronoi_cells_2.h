@@ -17,6 +17,8 @@
 #include <CGAL/number_type_basic.h>
 #include <CGAL/Periodic_cell_2.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -648,24 +650,33 @@ protected:
       is_empty = sides == Division_2::ALL_BEYOND;
       if (sides != Division_2::UNKNOWN)
         return;
-      const auto [normal, distance] = exact_bisector(p, q, neighbor.vector, domain.center);
-      cell.cut(normal, distance, labels.size());
+      const auto [way, product] = exact_bisector(p, q, neighbor.vector, domain.center);
+      const double length = length_of(way);
+      cell.cut({way.x / length, way.y / length}, product / length, labels.size());
       labels.push_back({Side::NEIGHBOR, neighbor.id, neighbor.shift, radius(neighbor.id)});
     });
     if (is_empty)
       cell.start(std::numeric_limits<double>::infinity());
   }
 
+  // Squares of tiny vectors underflow.
+  static double length_of(const Position& way)
+  {
+    const double square = Dynamic_Delaunay_triangulations_2::internal::dot(way, way);
+    return BOOST_LIKELY(square > 1e-300) ? std::sqrt(square) : length_of_tiny(way);
+  }
+  BOOST_NOINLINE static double length_of_tiny(const Position& way)
+  {
+    return std::hypot(way.x, way.y);
+  }
+
   template <class Space, class Function>
   static void for_each_bisector(const Space& space, size_type id, const Function& f)
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    constexpr double least = 1e-150; // its square is a normal number
     space.for_each_neighbor(id, [&](const Voronoi_neighbor_2& neighbor) {
       const Position& way = neighbor.vector;
-      double length = std::sqrt(dot(way, way));
-      if (length < least)
-        length = std::hypot(way.x, way.y);
+      const double length = length_of(way);
       f(neighbor, Position{way.x / length, way.y / length}, length / 2);
     });
   }

@@ -332,8 +332,8 @@ private:
         polygon.corners.clear();
       if (sides != Division_2::UNKNOWN)
         return;
-      const auto [normal, distance] = exact_bisector(p, q, vector(v, w), center);
-      polygon.clip(normal, distance);
+      const auto [direction, product] = exact_bisector(p, q, vector(v, w), center);
+      polygon.clip(direction, product);
     };
     const auto clip_cell = [&, center = center, reach = reach](Index v, Polygon& polygon) {
       polygon.corners = {low, {high.x, low.y}, high, {low.x, high.y}};

@@ -27,11 +27,11 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // relative to that center, by lines that are computed exactly from the coordinates and rounded at
 // the end. A line that meets the domain is then off by a few u times the domain's extent.
 
-// All x with normal * x = distance, relative to an origin. The normal is a unit vector.
+// All x with direction * x = product, relative to an origin.
 struct Line_2
 {
-  Position_2 normal;
-  double distance;
+  Position_2 direction;
+  double product;
 };
 
 // Throws unless a corner of a domain is finite, and areas and moments can be computed.
@@ -70,21 +70,21 @@ struct Surroundings_2
 
 using Exact_ring_2 = CGAL::internal::Exact_ring_selector<double>::Type;
 
-// The line with this normal of any length, and its product with the places on the line. A power of
-// two brings the normal to about the length 1, so that nothing overflows or underflows.
+// A line in doubles. A power of two brings the direction to about the length 1, so that nothing
+// overflows or underflows. All that fits into doubles stays exact: so do lines that meet in a
+// corner of a domain.
 inline Line_2 rounded_line(const Exact_ring_2& x, const Exact_ring_2& y,
                            const Exact_ring_2& product)
 {
   const double size = (std::max)(std::abs(CGAL::to_double(x)), std::abs(CGAL::to_double(y)));
   const int exponent = (std::min)((std::max)(std::ilogb(size), -1000), 1000);
   const Exact_ring_2 scale(std::ldexp(1.0, -exponent));
-  const Position_2 normal{CGAL::to_double(x * scale), CGAL::to_double(y * scale)};
-  const double length = std::sqrt(dot(normal, normal));
-  return {{normal.x / length, normal.y / length}, CGAL::to_double(product * scale) / length};
+  return {{CGAL::to_double(x * scale), CGAL::to_double(y * scale)},
+          CGAL::to_double(product * scale)};
 }
 
-// The bisector of two points, relative to an origin. The normal points to q. Where an exact kernel
-// distinguishes points with equal doubles, their rounded difference counts.
+// The bisector of two points, relative to an origin. Its direction is that from p to q. Where an
+// exact kernel distinguishes points with equal doubles, their rounded difference counts.
 inline Line_2 exact_bisector(const Position_2& p, const Position_2& q, const Position_2& difference,
                              const Position_2& origin)
 {
