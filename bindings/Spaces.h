@@ -124,7 +124,7 @@ std::unique_ptr<Subject> make_by_names(const Classifier& classifier,
 template <class Space, class Kinds = All_kinds>
 std::unique_ptr<Subject> make_usual_in(const Settings& settings)
 {
-  return make_in<Space, Kinds>(CGAL::Circumcircle_classifier_2(), CGAL::Flip_and_splice_repair_2(),
+  return make_in<Space, Kinds>(CGAL::Circumcircle_classifier_2(), CGAL::Hold_and_flip_repair_2(),
                                CGAL::Always_dynamic_policy_2(), settings);
 }
 

@@ -72,8 +72,8 @@ struct Named_repair
 
 // The default first.
 const std::array<Named_repair, 5> named_repairs = {
-    {{"flip_and_splice",
-      [](unsigned padding) { return Any_repair(CGAL::Flip_and_splice_repair_2(padding)); }},
+    {{"hold_and_flip",
+      [](unsigned padding) { return Any_repair(CGAL::Hold_and_flip_repair_2(padding)); }},
      {"splice", [](unsigned padding) { return Any_repair(CGAL::Border_splice_repair_2(padding)); }},
      {"flip", [](unsigned) { return Any_repair(CGAL::Flip_repair_2()); }},
      {"relocate", [](unsigned) { return Any_repair(CGAL::Relocation_repair_2()); }},
@@ -164,7 +164,7 @@ const std::vector<std::string>& repair_names()
 std::string usual_repair(const Classifier_choice& classifier)
 {
   const bool needs_flips = classifier.is_exact || classifier.name == "nearly_delaunay";
-  return needs_flips ? "flip_and_splice" : "splice";
+  return needs_flips ? "hold_and_flip" : "splice";
 }
 
 Any_repair make_repair(const std::string& name, unsigned padding)

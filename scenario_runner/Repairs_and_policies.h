@@ -12,8 +12,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Key_frame_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Hold_and_flip_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Relocation_repair_2.h>
 
@@ -44,7 +44,7 @@ public:
   }
 
 private:
-  std::variant<CGAL::Flip_and_splice_repair_2, CGAL::Border_splice_repair_2, CGAL::Flip_repair_2,
+  std::variant<CGAL::Hold_and_flip_repair_2, CGAL::Border_splice_repair_2, CGAL::Flip_repair_2,
                CGAL::Relocation_repair_2, CGAL::Rebuild_repair_2>
       m_repair;
 };

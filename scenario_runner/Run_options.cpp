@@ -36,7 +36,7 @@ void add_method_options(CLI::App& app, Run_options& options)
       ->type_name("N")
       ->transform(whole_number(0, max_padding));
   app.add_option("--repair", options.repair,
-                 "what mends; default flip_and_splice, with a heuristic classifier but "
+                 "what mends; default hold_and_flip, with a heuristic classifier but "
                  "nearly_delaunay splice")
       ->type_name("NAME")
       ->check(CLI::IsMember(repair_names()));

@@ -17,6 +17,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Plane_editing_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_builder_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Visitor_calls_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
@@ -43,9 +44,7 @@ template <class Traits, class Classifier_, class Repair_, class Tds_, class Upda
           class Visitor_, class ConcurrencyTag>
 struct Triangulation_types_2<Dynamic_Delaunay_triangulation_2<
     Traits, Classifier_, Repair_, Tds_, UpdatePolicy, Visitor_, ConcurrencyTag>>
-  : Chosen_types_2<Dynamic_Delaunay_triangulation_2<Traits, Classifier_, Repair_, Tds_,
-                                                    UpdatePolicy, Visitor_, ConcurrencyTag>,
-                   Classifier_, Repair_, UpdatePolicy, Visitor_>
+  : Chosen_types_2<Classifier_, Repair_, UpdatePolicy, Visitor_>
 {
   static constexpr bool is_exact = !Are_known_to_be_inexact_2<Traits>::value;
   static_assert(is_exact || accepts_inexact_predicates_2<Traits>,
@@ -56,8 +55,8 @@ struct Triangulation_types_2<Dynamic_Delaunay_triangulation_2<
   using Geom_traits = Traits;
   using Concurrency_tag = ConcurrencyTag;
   using Tds = typename Default::Get<Tds_, Indexed_triangulation_data_structure_2<Traits>>::type;
-  using Visitor_calls = Visitor_calls_2<typename Triangulation_types_2::Visitor,
-                                        typename Triangulation_types_2::Shown_to_visitor>;
+  using Visitor_calls = Visitor_calls_2<Delaunay_triangulation_2<Traits, Tds>,
+                                        Triangulation_types_2::is_visitor_heard>;
   using State = Triangulation_state_2<Traits, Tds, Visitor_calls, ConcurrencyTag>;
   using Input = Input_frame_2<State>;
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
@@ -94,7 +93,7 @@ triangulation is still a valid triangulated sphere with all its vertices.
 \tparam Classifier a model of `DelaunayClassifier_2`, which finds the edges that may be broken;
   `Default` for `Circumcircle_classifier_2`.
 \tparam Repair a model of `DelaunayRepair_2`, which repairs what the classifier found. `Default`
-  stands for the classifier's `Usual_repair` if it has one; else for `Flip_and_splice_repair_2` if
+  stands for the classifier's `Usual_repair` if it has one; else for `Hold_and_flip_repair_2` if
   the classifier is exact, and for `Border_splice_repair_2` if it is not.
 \tparam Tds an `Indexed_triangulation_data_structure_2` of these traits; `Default` for one without
   data of the user. Data that the user stores in a vertex stay in it. The vertices of a face change;
@@ -358,12 +357,29 @@ using Dynamic_Delaunay_triangulation_with_visitor_2 =
 
 } // namespace CGAL
 
+// The kernels that `compiled_updates.h` compiles, for each of these tags.
+#define CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE(prefix, tag)                                           \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
+      prefix, Dynamic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel,      \
+                                               Default, Default, Default, Always_dynamic_policy_2, \
+                                               Delaunay_update_visitor_base_2, tag>)
+#define CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE_WITH_VISITOR(prefix, tag)                              \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
+      prefix, Dynamic_Delaunay_triangulation_2<                                                    \
+                  Exact_predicates_inexact_constructions_kernel, Default, Default, Default,        \
+                  Always_dynamic_policy_2,                                                         \
+                  Dynamic_Delaunay_triangulations_2::internal::Heard_visitor_2, tag>)
+
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
-extern CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(
-    Dynamic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel>);
-} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+namespace CGAL {
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE(extern, Sequential_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE_WITH_VISITOR(extern, Sequential_tag);
+#ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PARALLEL
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE(extern, Parallel_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE_WITH_VISITOR(extern, Parallel_tag);
+#endif
+} // namespace CGAL
 #endif
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_H

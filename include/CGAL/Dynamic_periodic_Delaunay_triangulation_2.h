@@ -42,16 +42,14 @@ namespace internal {
 template <class Kernel, class C, class R, class P, class V, class ConcurrencyTag>
 struct Triangulation_types_2<
     Dynamic_periodic_Delaunay_triangulation_2<Kernel, C, R, P, V, ConcurrencyTag>>
-  : Chosen_types_2<Dynamic_periodic_Delaunay_triangulation_2<Kernel, C, R, P, V, ConcurrencyTag>, C,
-                   R, P, V>
+  : Chosen_types_2<C, R, P, V>
 {
   static_assert(has_double_coordinates<typename Kernel::Point_2>,
                 "the coordinates of points in periodic space must be of type double");
 
   using Geom_traits = Kernel;
   using Concurrency_tag = ConcurrencyTag;
-  using Visitor_calls = Periodic_visitor_calls_2<typename Triangulation_types_2::Visitor,
-                                                 typename Triangulation_types_2::Shown_to_visitor>;
+  using Visitor_calls = Periodic_visitor_calls_2<Triangulation_types_2::is_visitor_heard>;
   using State =
       Periodic_triangulation_state_2<typename Kernel::Point_2, Visitor_calls, ConcurrencyTag>;
   using Input = Periodic_input_2<State>;
@@ -90,11 +88,10 @@ After construction, and after every call with an exact classifier, the triangula
 <em>certified</em>: exact predicates have proved that each face is counterclockwise, and that each
 edge is locally Delaunay. Under flips, insertions and removals the faces go on covering the torus
 exactly once (see the manual). By default an update tests all edges except those that are proved
-safe, flips the broken ones, takes out points that jump and inserts them again, and rebuilds if that
-is not enough. A frame with a heuristic classifier leaves the triangulation uncertified, unless the
-repair had to examine everything or to rebuild. An uncertified triangulation is still a torus of 3n
-edges and 2n faces, and the next call that inserts, removes or moves single points makes it Delaunay
-first.
+safe, and mends around the broken ones, or rebuilds if that costs less. A frame with a heuristic
+classifier leaves the triangulation uncertified, unless the repair had to examine everything or to
+rebuild. An uncertified triangulation is still a torus of 3n edges and 2n faces, and the next call
+that inserts, removes or moves single points makes it Delaunay first.
 
 Classifiers, repairs and policies are the same as in the plane; `Dynamic_frame_2` and
 `Dynamic_mender_2` say what differs for them.
@@ -392,12 +389,30 @@ private:
 
 } // namespace CGAL
 
+// The kernels that `compiled_updates.h` compiles, for each of these tags.
+#define CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE(prefix, tag)                                  \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
+      prefix,                                                                                      \
+      Dynamic_periodic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel,     \
+                                                Default, Default, Always_dynamic_policy_2,         \
+                                                Delaunay_update_visitor_base_2, tag>)
+#define CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(prefix, tag)                     \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
+      prefix, Dynamic_periodic_Delaunay_triangulation_2<                                           \
+                  Exact_predicates_inexact_constructions_kernel, Default, Default,                 \
+                  Always_dynamic_policy_2,                                                         \
+                  Dynamic_Delaunay_triangulations_2::internal::Heard_visitor_2, tag>)
+
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
-extern CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(
-    Dynamic_periodic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel>);
-} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+namespace CGAL {
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE(extern, Sequential_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(extern, Sequential_tag);
+#ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PARALLEL
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE(extern, Parallel_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(extern, Parallel_tag);
+#endif
+} // namespace CGAL
 #endif
 
 #endif // CGAL_DYNAMIC_PERIODIC_DELAUNAY_TRIANGULATION_2_H

@@ -28,7 +28,7 @@ export interface Options {
   cell?: Cell;
   /** As `./dev run --classifier` has it: "circumcircle" (exact, the usual one), "point_distance:0.7", ... */
   classifier?: string;
-  /** "flip_and_splice", ...; by default the one that fits the classifier. */
+  /** "hold_and_flip", ...; by default the one that fits the classifier. */
   repair?: string;
   /** "always_dynamic" (the usual one), "hybrid", "always_static", "key_frames:10", ... */
   policy?: string;

@@ -562,7 +562,7 @@ class DynamicDelaunay(_ByNumbers, _Planar):
         returns None, the vertices to examine, or a tuple of vertices and edges; it may have a method
         ``after_update(frame)``.
     repair : str, optional
-        "flip_and_splice", "splice", "flip", "relocate" or "rebuild"; without it, what suits the classifier.
+        "hold_and_flip", "splice", "flip", "relocate" or "rebuild"; without it, what suits the classifier.
     policy : str
         "always_dynamic", "always_static", "hybrid" or "key_frames:K".
     changes : bool

@@ -17,7 +17,7 @@ std::unique_ptr<Subject> make_subject(const Python_settings& settings)
 {
   const bool is_named = settings.function == nullptr;
   const bool is_usual = settings.classifier == "circumcircle" &&
-                        (settings.repair.empty() || settings.repair == "flip_and_splice") &&
+                        (settings.repair.empty() || settings.repair == "hold_and_flip") &&
                         settings.policy == "always_dynamic";
   const bool is_exact = is_named && run::classifier_choice(settings.classifier).is_exact;
   if (settings.cell) {

@@ -219,7 +219,7 @@ def test_certifies_what_a_heuristic_left_right():
     assert dt.certify() and dt.is_certified
 
 
-@pytest.mark.parametrize("repair", ["flip_and_splice", "splice", "flip", "relocate", "rebuild"])
+@pytest.mark.parametrize("repair", ["hold_and_flip", "splice", "flip", "relocate", "rebuild"])
 def test_takes_repairs_by_name(repair):
     points = cloud(300)
     dt = DynamicDelaunay(points, repair=repair)

@@ -16,7 +16,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Safe_region_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Voronoi_circumcenter_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Voronoi_edge_length_classifier_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Hold_and_flip_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
 #include <CGAL/Dynamic_population_2.h>
 
@@ -1386,10 +1386,16 @@ TEST_F(Wrong_frames, of_jumps_that_the_classifier_refuses_change_nothing)
 }
 
 // Throws, when it is told to, before it mends, halfway, or after it has mended.
-class Failing_repair : public CGAL::Flip_and_splice_repair_2
+class Failing_repair : public CGAL::Hold_and_flip_repair_2
 {
 public:
-  enum class Way { MENDS, THROWS_BEFORE, THROWS_AFTER_JUMPERS_ARE_OUT, THROWS_AFTER };
+  enum class Way {
+    MENDS,
+    THROWS_BEFORE,
+    THROWS_WHILE_VERTICES_ARE_HELD,
+    THROWS_WHILE_VERTICES_ARE_OUT,
+    THROWS_AFTER
+  };
 
   void go(Way way) const { *m_way = way; }
 
@@ -1399,11 +1405,14 @@ public:
     const Way way = std::exchange(*m_way, Way::MENDS);
     if (way == Way::THROWS_BEFORE)
       throw Refusal();
-    if (way == Way::THROWS_AFTER_JUMPERS_ARE_OUT) {
-      mender.take_out_jumpers();
+    mender.hold();
+    if (way == Way::THROWS_WHILE_VERTICES_ARE_HELD)
       throw Refusal();
-    }
-    CGAL::Flip_and_splice_repair_2::operator()(mender);
+    mender.flip();
+    mender.release();
+    if (way == Way::THROWS_WHILE_VERTICES_ARE_OUT)
+      throw Refusal();
+    CGAL::Hold_and_flip_repair_2::operator()(mender);
     if (way == Way::THROWS_AFTER)
       throw Refusal();
   }
@@ -1442,7 +1451,8 @@ TEST(Repair_that_throws_in_a_frame, leaves_what_the_next_frame_mends)
   using Way = Failing_repair::Way;
   Cloud<Epick> cloud(62);
   const Frame first = frame_of(cloud.uniform(300)), next = next_of(first, cloud);
-  for (const Way way : {Way::THROWS_BEFORE, Way::THROWS_AFTER_JUMPERS_ARE_OUT, Way::THROWS_AFTER})
+  for (const Way way : {Way::THROWS_BEFORE, Way::THROWS_WHILE_VERTICES_ARE_HELD,
+                        Way::THROWS_WHILE_VERTICES_ARE_OUT, Way::THROWS_AFTER})
     for (const bool mends : {false, true}) {
       SCOPED_TRACE(testing::Message() << "way " << int(way) << ", mends " << mends);
       CGAL::Dynamic_population_2<Dynamic, int> people;

@@ -347,7 +347,8 @@ TEST(Checkpoints, what_was_in_vain_is_remembered)
   for (int frame = 0; frame < 40; ++frame) {
     SCOPED_TRACE(testing::Message() << "frame " << frame);
     Exact other = restored(dt);
-    for (std::size_t i = std::size_t(frame) % 24; i < points.size(); i += 24)
+    const std::size_t stride = frame % 3 == 0 ? 24 : 4;
+    for (std::size_t i = std::size_t(frame) % stride; i < points.size(); i += stride)
       points[i] = cloud.shifted(points[i], 2);
     const CGAL::Update_report_2 report = dt.update(points.begin(), points.end());
     ASSERT_EQ(all_of(other.update(points.begin(), points.end())), all_of(report));

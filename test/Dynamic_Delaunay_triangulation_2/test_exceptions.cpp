@@ -609,7 +609,7 @@ struct Fused_repair
     fuse.burn();
     mender.flip();
     fuse.burn();
-    CGAL::Flip_and_splice_repair_2()(mender);
+    CGAL::Hold_and_flip_repair_2()(mender);
     fuse.burn();
   }
 };

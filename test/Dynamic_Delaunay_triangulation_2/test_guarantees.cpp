@@ -107,7 +107,7 @@ TEST(Guarantees, thousands_of_rough_frames_under_every_heuristic_stay_valid_and_
         follow_and_mend<CGAL::Default>(Random_classifier_2(0.01, seed), points, cloud, step));
     ASSERT_NO_FATAL_FAILURE(
         follow_and_mend<CGAL::Flip_repair_2>(Random_classifier_2(0.05, seed), points, cloud, step));
-    ASSERT_NO_FATAL_FAILURE(follow_and_mend<CGAL::Flip_and_splice_repair_2>(
+    ASSERT_NO_FATAL_FAILURE(follow_and_mend<CGAL::Hold_and_flip_repair_2>(
         Random_classifier_2(0.02, seed), points, cloud, step));
     ASSERT_NO_FATAL_FAILURE(follow_and_mend<CGAL::Default>(CGAL::Point_distance_classifier_2(0.3),
                                                            points, cloud, step));
@@ -223,7 +223,7 @@ TEST(Guarantees, an_unknown_id_from_the_classifier_is_refused_and_nothing_change
   expect_exact(dt, moved);
 }
 
-TEST(Guarantees, vertices_keep_their_data_through_flips_splices_and_rebuilds)
+TEST(Guarantees, vertices_keep_their_data_through_flips_relocations_and_rebuilds)
 {
   Cloud<Epick> cloud(9);
   auto points = cloud.uniform(300);
@@ -231,12 +231,12 @@ TEST(Guarantees, vertices_keep_their_data_through_flips_splices_and_rebuilds)
                                          Stamped_data_structure<Epick>>
       dt(points.begin(), points.end());
   const auto stamps = stamps_of(dt);
-  std::size_t flips = 0, splices = 0, rebuilds = 0;
+  std::size_t flips = 0, relocated = 0, rebuilds = 0;
   for (const double step : {0.01, 0.05, 0.07, 0.07, 0.07, 0.07, 0.07, 0.07, 5., 0.01}) {
     cloud.shake(points, step);
     const auto report = dt.update(points.begin(), points.end());
     flips += report.flips;
-    splices += report.splices;
+    relocated += report.relocated;
     rebuilds += report.rebuilt();
     for (std::size_t id = 0; id < points.size(); ++id) {
       ASSERT_EQ(stamp_of(dt, id), stamps.at(id));
@@ -244,7 +244,7 @@ TEST(Guarantees, vertices_keep_their_data_through_flips_splices_and_rebuilds)
     }
   }
   EXPECT_GT(flips, 0u);
-  EXPECT_GT(splices, 0u);
+  EXPECT_GT(relocated, 0u);
   EXPECT_GT(rebuilds, 0u);
 }
 

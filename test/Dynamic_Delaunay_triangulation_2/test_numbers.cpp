@@ -589,8 +589,7 @@ TEST_F(Heuristics, by_chance_are_honest_at_any_numbers_with_any_repair)
   const Random_classifier_2 some(0.2);
   ASSERT_NO_FATAL_FAILURE((expect_honest<Random_classifier_2, CGAL::Flip_repair_2>(some)));
   ASSERT_NO_FATAL_FAILURE((expect_honest<Random_classifier_2, CGAL::Border_splice_repair_2>(some)));
-  ASSERT_NO_FATAL_FAILURE(
-      (expect_honest<Random_classifier_2, CGAL::Flip_and_splice_repair_2>(some)));
+  ASSERT_NO_FATAL_FAILURE((expect_honest<Random_classifier_2, CGAL::Hold_and_flip_repair_2>(some)));
   ASSERT_NO_FATAL_FAILURE((expect_honest<Random_classifier_2, CGAL::Relocation_repair_2>(some)));
 }
 

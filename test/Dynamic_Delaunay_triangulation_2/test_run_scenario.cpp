@@ -33,7 +33,7 @@ TEST(Report, says_everything_about_a_run)
   EXPECT_EQ(report["classifier"], "circumcircle");
   EXPECT_TRUE(report["parameter"].is_null());
   EXPECT_EQ(report["padding"], 1);
-  EXPECT_EQ(report["repair"], "flip_and_splice");
+  EXPECT_EQ(report["repair"], "hold_and_flip");
   EXPECT_EQ(report["engine"], "guibas_stolfi");
   EXPECT_EQ(report["threads"], 1);
   EXPECT_EQ(report["packing"], "square");
@@ -129,7 +129,7 @@ INSTANTIATE_TEST_SUITE_P(All, Thesis_scenarios,
 
 TEST(Brownian_motion, is_exact_with_every_repair)
 {
-  for (const char* repair : {"flip_and_splice", "splice", "flip", "relocate", "rebuild"}) {
+  for (const char* repair : {"hold_and_flip", "splice", "flip", "relocate", "rebuild"}) {
     const Json report = report_of({"brownian", "--points", "500", "--frames", "40", "--time-step",
                                    "0.02", "--repair", repair});
     SCOPED_TRACE(repair);
@@ -165,7 +165,7 @@ TEST(Classifiers, run_by_their_names_and_exact_ones_end_certified)
                            "refined:circumcircle+safe_region"}) {
     SCOPED_TRACE(name);
     const Json report = report_under(name);
-    EXPECT_EQ(report["repair"], "flip_and_splice");
+    EXPECT_EQ(report["repair"], "hold_and_flip");
     expect_exact_report(report, 20);
   }
   for (const char* name :
@@ -179,7 +179,7 @@ TEST(Classifiers, run_by_their_names_and_exact_ones_end_certified)
     EXPECT_EQ(report["valid_frames"], 20);
     EXPECT_GT(report["mcc_min"], 0.7);
   }
-  EXPECT_EQ(report_under("nearly_delaunay")["repair"], "flip_and_splice");
+  EXPECT_EQ(report_under("nearly_delaunay")["repair"], "hold_and_flip");
   EXPECT_EQ(report_under("nearly_delaunay")["parameter"], 0.05);
 }
 
@@ -341,7 +341,7 @@ TEST(Help, lists_scenarios_classifiers_repairs_policies_engines_and_formats)
   const Outcome outcome = run_program({"--help"});
   EXPECT_TRUE(outcome.succeeded);
   for (const char* word :
-       {"dam_break", "point_distance", "flip_and_splice", "key_frames:K", "bowyer_watson",
+       {"dam_break", "point_distance", "hold_and_flip", "key_frames:K", "bowyer_watson",
         "--time-step", "--vtk", "ParaView", "--xyz", "--lammps", "--cells", "--radius", "--domain",
         "--cell-rule", "--every", "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt"}) {
     EXPECT_TRUE(contains(outcome.output, word)) << word;
@@ -648,7 +648,8 @@ TEST(Domain, that_is_not_simple_is_refused_by_its_file_and_corner)
                         "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (7 7, 7 8, 8 8, 8 7, 7 7))",
                         {"corner 4", "(7, 7)", "inside of the outer boundary"});
   expect_refused_domain("thin.wkt", "POLYGON ((0 0, 4 0, 0 0))", {"at least three"});
-  expect_refused_domain("nan.wkt", "POLYGON ((0 0, nan 0, 4 4, 0 4, 0 0))", {"not a finite number"});
+  expect_refused_domain("nan.wkt", "POLYGON ((0 0, nan 0, 4 4, 0 4, 0 0))",
+                        {"not a finite number"});
   expect_refused_domain("flat.geojson",
                         R"({"type": "Polygon", "coordinates": [[[0,0],[1,0],[2,0],[0,0]]]})",
                         {"corner 2", "(2, 0)", "touches"});

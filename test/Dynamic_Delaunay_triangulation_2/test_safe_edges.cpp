@@ -1466,7 +1466,7 @@ struct Faulty_repair
       mender.flip();
       throw Failure();
     }
-    CGAL::Flip_and_splice_repair_2()(mender);
+    CGAL::Hold_and_flip_repair_2()(mender);
   }
 };
 

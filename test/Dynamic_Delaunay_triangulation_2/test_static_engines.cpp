@@ -540,7 +540,7 @@ TEST_P(Engine_pairs, stay_exact_on_brownian_motion)
 {
   for (const double step : {0.05, 0.2}) {
     SCOPED_TRACE(step);
-    follow<CGAL::Flip_and_splice_repair_2>(engines(), step, false);
+    follow<CGAL::Hold_and_flip_repair_2>(engines(), step, false);
     follow<Border_splice_repair_2>(engines(), step, false);
     follow<CGAL::Rebuild_repair_2>(engines(), step, false);
   }
@@ -550,8 +550,8 @@ TEST_P(Engine_pairs, stay_exact_when_points_jump)
 {
   const Work_done jumps = follow<Border_splice_repair_2>(engines(), 0.001, true);
   EXPECT_GT(jumps.splices + jumps.rebuilds, 0u);
-  follow<CGAL::Flip_and_splice_repair_2>(engines(), 0.001, true);
-  follow<CGAL::Flip_and_splice_repair_2>(engines(), 0.05, true);
+  follow<CGAL::Hold_and_flip_repair_2>(engines(), 0.001, true);
+  follow<CGAL::Hold_and_flip_repair_2>(engines(), 0.05, true);
 }
 
 TEST_P(Engine_pairs, stay_exact_when_one_point_crosses_many_others)

@@ -296,7 +296,7 @@ struct Failing_repair
       mender.flip();
       throw Failure();
     }
-    CGAL::Flip_and_splice_repair_2()(mender);
+    CGAL::Hold_and_flip_repair_2()(mender);
   }
 };
 
@@ -480,7 +480,7 @@ void leap_and_step(const Repair& repair)
 
 TEST(Safe_region_classifier, misses_nothing_near_what_was_flipped_before)
 {
-  leap_and_step(CGAL::Flip_and_splice_repair_2());
+  leap_and_step(CGAL::Hold_and_flip_repair_2());
 }
 
 TEST(Safe_region_classifier, misses_nothing_near_what_was_spliced_before)
@@ -1003,8 +1003,8 @@ TEST(Voronoi_circumcenter_classifier, agrees_with_the_exact_one_on_moving_clouds
     SCOPED_TRACE(testing::Message() << "step " << step);
     Cloud<Epick> cloud(18);
     Points points = cloud.uniform(400);
-    Triangulation<Classifier, CGAL::Flip_and_splice_repair_2> dt(points.begin(), points.end(),
-                                                                 classifier);
+    Triangulation<Classifier, CGAL::Hold_and_flip_repair_2> dt(points.begin(), points.end(),
+                                                               classifier);
     for (int frame = 0; frame < 30; ++frame) {
       cloud.shake(points, step);
       dt.update(points.begin(), points.end());
@@ -1438,7 +1438,7 @@ void lead_through_everything_with_every_repair(const Classifier& classifier)
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     lead_through_everything<Classifier, CGAL::Border_splice_repair_2>(classifier, seed);
     lead_through_everything<Classifier, CGAL::Flip_repair_2>(classifier, seed);
-    lead_through_everything<Classifier, CGAL::Flip_and_splice_repair_2>(classifier, seed);
+    lead_through_everything<Classifier, CGAL::Hold_and_flip_repair_2>(classifier, seed);
     lead_through_everything<Classifier, CGAL::Relocation_repair_2>(classifier, seed);
     lead_through_everything<Classifier, CGAL::Rebuild_repair_2>(classifier, seed);
   }
@@ -1569,7 +1569,7 @@ Nearness nearness(const Dynamic& dt, double eps)
 TEST(Nearly_delaunay_classifier, keeps_its_bound_at_every_edge_of_every_frame)
 {
   using Dynamic = Triangulation<CGAL::Nearly_delaunay_classifier_2>;
-  static_assert(std::is_same_v<Dynamic::Delaunay_repair, CGAL::Flip_and_splice_repair_2>);
+  static_assert(std::is_same_v<Dynamic::Delaunay_repair, CGAL::Hold_and_flip_repair_2>);
   for (const double eps : {1e-6, 0.01, 0.1, 0.5, 1.}) {
     Nearness total;
     std::size_t flips = 0, exact_flips = 0;

@@ -43,7 +43,7 @@ inline Method method(const std::string& classifier)
   const run::Classifier_choice choice = run::classifier_choice(classifier);
   const std::string repair = run::usual_repair(choice);
   const unsigned padding = repair == "splice" ? CGAL::Border_splice_repair_2().padding()
-                                              : CGAL::Flip_and_splice_repair_2().padding();
+                                              : CGAL::Hold_and_flip_repair_2().padding();
   return {choice, repair, padding};
 }
 

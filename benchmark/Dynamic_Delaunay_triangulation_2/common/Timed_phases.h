@@ -7,7 +7,7 @@
 #include "scenario_runner/Measurement.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Hold_and_flip_repair_2.h>
 
 #include <chrono>
 #include <optional>
@@ -118,7 +118,7 @@ private:
 };
 
 // The default repair of exact use, timed.
-class Timed_repair : public CGAL::Flip_and_splice_repair_2
+class Timed_repair : public CGAL::Hold_and_flip_repair_2
 {
 public:
   explicit Timed_repair(Phase_marks& marks)
@@ -129,7 +129,7 @@ public:
   template <class Mender>
   void operator()(Mender& mender) const
   {
-    m_marks->repair([&] { CGAL::Flip_and_splice_repair_2::operator()(mender); });
+    m_marks->repair([&] { CGAL::Hold_and_flip_repair_2::operator()(mender); });
   }
 
 private:

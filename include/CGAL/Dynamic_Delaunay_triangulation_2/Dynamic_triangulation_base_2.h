@@ -21,7 +21,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Hold_and_flip_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/iterator.h>
@@ -54,7 +54,7 @@ template <class Classifier, class = void>
 struct Usual_repair_2
 {
   using type =
-      std::conditional_t<Classifier::is_exact, Flip_and_splice_repair_2, Border_splice_repair_2>;
+      std::conditional_t<Classifier::is_exact, Hold_and_flip_repair_2, Border_splice_repair_2>;
 };
 template <class Classifier>
 struct Usual_repair_2<Classifier, std::void_t<typename Classifier::Usual_repair>>
@@ -62,9 +62,8 @@ struct Usual_repair_2<Classifier, std::void_t<typename Classifier::Usual_repair>
   using type = typename Classifier::Usual_repair;
 };
 
-// The part of these types that users choose for the triangulation `Dynamic`.
-template <class Dynamic, class Chosen_classifier, class Chosen_repair, class Chosen_policy,
-          class Chosen_visitor>
+// The part of these types that users choose.
+template <class Chosen_classifier, class Chosen_repair, class Chosen_policy, class Chosen_visitor>
 struct Chosen_types_2
 {
   using Classifier = typename Default::Get<Chosen_classifier, Circumcircle_classifier_2>::type;
@@ -72,22 +71,37 @@ struct Chosen_types_2
       typename Default::Get<Chosen_repair, typename Usual_repair_2<Classifier>::type>::type;
   using Policy = typename Default::Get<Chosen_policy, Always_dynamic_policy_2>::type;
   using Visitor = typename Default::Get<Chosen_visitor, Delaunay_update_visitor_base_2>::type;
-  using Shown_to_visitor =
-      std::conditional_t<std::is_same_v<Visitor, Delaunay_update_visitor_base_2>, void, Dynamic>;
+  static constexpr bool is_visitor_heard = !std::is_same_v<Visitor, Delaunay_update_visitor_base_2>;
 };
-
-// Instantiates all that updates of a class of triangulations need; after `extern`, leaves the
-// instantiation to another source file.
-#define CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(...)                                                  \
-  template Update_report_2 Update_2<typename Triangulation_types_2<__VA_ARGS__>::State>::run(      \
-      Change_2<typename Triangulation_types_2<__VA_ARGS__>::State::Point>&,                        \
-      typename Triangulation_types_2<__VA_ARGS__>::Input&,                                         \
-      typename Triangulation_types_2<__VA_ARGS__>::Classifier&,                                    \
-      typename Triangulation_types_2<__VA_ARGS__>::Repair&,                                        \
-      typename Triangulation_types_2<__VA_ARGS__>::Policy&)
 
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
+
+// Stands for any visitor but the default one.
+namespace Dynamic_Delaunay_triangulations_2::internal {
+struct Heard_visitor_2;
+}
+
+// Compiles what updates of a class of triangulations need, also those with another classifier,
+// repair or policy. With `extern` as the first argument, leaves that to another source file. To be
+// used in namespace CGAL.
+#define CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(prefix, ...)                                          \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_KERNEL(                                                            \
+      prefix, Dynamic_Delaunay_triangulations_2::internal::Triangulation_types_2<__VA_ARGS__>)
+#define CGAL_DYNAMIC_DELAUNAY_COMPILE_KERNEL(prefix, ...)                                          \
+  prefix template class Dynamic_mender_2<                                                          \
+      Dynamic_Delaunay_triangulations_2::internal::Repair_tools_2<typename __VA_ARGS__::State>>;   \
+  prefix template void Circumcircle_classifier_2::operator()(                                      \
+      const Dynamic_frame_2<typename __VA_ARGS__::State>&,                                         \
+      Dynamic_classification_2<typename __VA_ARGS__::State>&);                                     \
+  prefix template void Circumcircle_classifier_2::after_update(                                    \
+      const Dynamic_frame_2<typename __VA_ARGS__::State>&);                                        \
+  prefix template Update_report_2                                                                  \
+  Dynamic_Delaunay_triangulations_2::internal::Update_2<typename __VA_ARGS__::State>::run(         \
+      Dynamic_Delaunay_triangulations_2::internal::Change_2<typename __VA_ARGS__::State::Point>&,  \
+      typename __VA_ARGS__::Input&,                                                                \
+      const Dynamic_Delaunay_triangulations_2::internal::Update_choices_2<                         \
+          typename __VA_ARGS__::State>&)
 
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
@@ -423,11 +437,11 @@ public:
   bool certify()
   {
     const Floating_point floating_point;
-    return Types::is_exact && m_core->update.certify(m_classifier);
+    return Types::is_exact && m_core->update.certify(choices());
   }
 
   /// makes the triangulation Delaunay and certified, whatever the classifier is: all edges are
-  /// examined by exact predicates, and `Flip_and_splice_repair_2` repairs the broken ones. Does
+  /// examined by exact predicates, and `Hold_and_flip_repair_2` repairs the broken ones. Does
   /// nothing if the triangulation is certified already. \post `is_certified()`
   Update_report_2 mend()
   {
@@ -737,14 +751,15 @@ private:
 
   Update_report_2 run_phases(Change& change)
   {
-    Update_report_2 report =
-        m_core->update.run(change, m_core->input, m_classifier, m_repair, m_policy);
+    Update_report_2 report = m_core->update.run(change, m_core->input, choices());
     report.certified = is_certified();
     if (change.is_frame)
       m_policy.after_update(frame(), report);
     m_core->input.settle();
     return report;
   }
+
+  typename Update::Choices choices() { return {m_classifier, m_repair, m_policy}; }
 
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 

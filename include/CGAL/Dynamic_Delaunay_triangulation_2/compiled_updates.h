@@ -8,8 +8,12 @@
 
 // Include this header in exactly one source file of a program that defines
 // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED in all its files. It compiles for all of them what
-// updates need in the plane and in periodic space, with the usual kernel and no other choices.
-// CMake's target `Dynamic_Delaunay_triangulation_2::compiled` does that.
+// updates need in the plane and in periodic space, with the usual kernel and without data of users,
+// whatever the classifier, the repair, the policy and the visitor are; also for `Parallel_tag` if
+// all files define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PARALLEL, too. To compile it in
+// several source files, define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PART in each of them:
+// as 1, 2, 3 or 4, and for `Parallel_tag` as 5, 6, 7 or 8. CMake's targets
+// `Dynamic_Delaunay_triangulation_2::compiled` and `compiled_parallel` do that.
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
 #error                                                                                             \
     "compiled_updates.h is for programs that define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED in all files"
@@ -19,13 +23,43 @@
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
-namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+#ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PART
+#define CGAL_DYNAMIC_DELAUNAY_HAS_PART(i) (CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PART == i)
+#else
+#define CGAL_DYNAMIC_DELAUNAY_HAS_PART(i) 1
+#endif
 
-CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(
-    Dynamic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel>);
-CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(
-    Dynamic_periodic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel>);
+namespace CGAL {
 
-} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(1)
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE(, Sequential_tag);
+#endif
+#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(2)
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE_WITH_VISITOR(, Sequential_tag);
+#endif
+#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(3)
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE(, Sequential_tag);
+#endif
+#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(4)
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(, Sequential_tag);
+#endif
+#ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PARALLEL
+#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(5)
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE(, Parallel_tag);
+#endif
+#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(6)
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE_WITH_VISITOR(, Parallel_tag);
+#endif
+#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(7)
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE(, Parallel_tag);
+#endif
+#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(8)
+CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(, Parallel_tag);
+#endif
+#endif
+
+} // namespace CGAL
+
+#undef CGAL_DYNAMIC_DELAUNAY_HAS_PART
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_UPDATES_H

@@ -42,29 +42,7 @@ public:
   /// classifies the vertices of broken edges; if nearly all edges are broken, classifies every
   /// vertex.
   template <class Frame, class Classification>
-  void operator()(const Frame& frame, Classification& classified)
-  {
-    m_was_asked = true;
-    if (m_schedule.is_near() && !m_safe_edges.holds())
-      m_safe_edges.measure_step(frame);
-    m_safe_edges.take_changes(frame); // none, unless an exception ended the last update
-    // if nearly all edges broke in the last frame, they may do so in this one
-    m_nearly_all_broken = m_nearly_all_broken && is_most_of_all_edges_broken(frame);
-    if (m_nearly_all_broken) {
-      classified.add_everything();
-      return;
-    }
-    // a pass without branches proves nearly all edges; the others are tested one by one
-    find_unproved(frame);
-    m_nearly_all_broken = is_most_of_unproved_broken(frame);
-    if (m_nearly_all_broken) {
-      classified.add_everything();
-      return;
-    }
-    classified.add_unless_delaunay(frame, m_unproved);
-    if (m_safe_edges.holds() && m_safe_edges.hull_turns_once())
-      classified.set_hull_turns_once();
-  }
+  void operator()(const Frame& frame, Classification& classified);
 
   /// whether edge `e` is not Delaunay.
   template <class Frame>
@@ -76,16 +54,7 @@ public:
   /// takes note of what was triangulated anew. From time to time it also finds edges that need no
   /// test for a while, since their vertices hardly move.
   template <class Frame>
-  void after_update(const Frame& frame)
-  {
-    m_safe_edges.learn(frame);
-    // safe edges are of no use to callers that only ask edge by edge
-    if (!std::exchange(m_was_asked, false))
-      return;
-    if (m_schedule.is_due(m_safe_edges.holds()) && frame.positions_are_exact() &&
-        !frame.everything_is_new())
-      m_safe_edges.start(frame, m_schedule.share());
-  }
+  void after_update(const Frame& frame);
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
@@ -146,6 +115,44 @@ private:
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_schedule_2 m_schedule;
   std::vector<std::vector<Index>> m_unproved; // of each part
 };
+
+// Not inline, as Update_2::run() is not.
+template <class Frame, class Classification>
+void Circumcircle_classifier_2::operator()(const Frame& frame, Classification& classified)
+{
+  m_was_asked = true;
+  if (m_schedule.is_near() && !m_safe_edges.holds())
+    m_safe_edges.measure_step(frame);
+  m_safe_edges.take_changes(frame); // none, unless an exception ended the last update
+  // if nearly all edges broke in the last frame, they may do so in this one
+  m_nearly_all_broken = m_nearly_all_broken && is_most_of_all_edges_broken(frame);
+  if (m_nearly_all_broken) {
+    classified.add_everything();
+    return;
+  }
+  // a pass without branches proves nearly all edges; the others are tested one by one
+  find_unproved(frame);
+  m_nearly_all_broken = is_most_of_unproved_broken(frame);
+  if (m_nearly_all_broken) {
+    classified.add_everything();
+    return;
+  }
+  classified.add_unless_delaunay(frame, m_unproved);
+  if (m_safe_edges.holds() && m_safe_edges.hull_turns_once())
+    classified.set_hull_turns_once();
+}
+
+template <class Frame>
+void Circumcircle_classifier_2::after_update(const Frame& frame)
+{
+  m_safe_edges.learn(frame);
+  // safe edges are of no use to callers that only ask edge by edge
+  if (!std::exchange(m_was_asked, false))
+    return;
+  if (m_schedule.is_due(m_safe_edges.holds()) && frame.positions_are_exact() &&
+      !frame.everything_is_new())
+    m_safe_edges.start(frame, m_schedule.share());
+}
 
 } // namespace CGAL
 

@@ -9,7 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_filter_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Hold_and_flip_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ center and the radius of the first one, that is
 and likewise for the second one. Edges at a face that is not counterclockwise, or where the hull is
 not convex, are classified whatever `eps` is.
 
-<b>The bound.</b> With `Flip_and_splice_repair_2`, which is the default repair for this classifier,
+<b>The bound.</b> With `Hold_and_flip_repair_2`, which is the default repair for this classifier,
 every update ends with all finite faces counterclockwise, the hull turning left or going straight on
 at each vertex, and all edges between finite faces nearly Delaunay. The reason: flips and splices
 prove every edge Delaunay whose vertices they change, and that repair rebuilds where they cannot.
@@ -50,7 +50,7 @@ public:
   /// it does not classify all edges that are not Delaunay.
   static constexpr bool is_exact = false;
   /// the repair that guarantees the bound.
-  using Usual_repair = Flip_and_splice_repair_2;
+  using Usual_repair = Hold_and_flip_repair_2;
 
   /// \param eps how deep a vertex may be in a circumcircle, in radii, from 0 to 1.
   /// \throws Parameter_error_2 if `eps` is out of this range.

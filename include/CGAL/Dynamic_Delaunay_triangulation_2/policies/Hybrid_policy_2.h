@@ -18,7 +18,7 @@ namespace CGAL {
 
 Chooses for every frame between mending and rebuilding, from an estimate of both costs (thesis
 7.2.1). It mends until a frame has cost more than a rebuild, or was rebuilt by its repair. From then
-on it tests a sample of the edges first, and rebuilds a frame in which more than a ninth of the
+on it tests a sample of the edges first, and rebuilds a frame in which more than a fifth of the
 sample is not Delaunay. It tries to mend another frame if less than half as many edges are broken as
 at the last failure, or after a pause, which grows by one frame with each failure in a row, from
 none up to 63 frames. After a success it tests no samples, until it fails again.
@@ -60,8 +60,8 @@ public:
   }
 
 private:
-  // The usual repair of exact classifiers rebuilds from this share on.
-  static constexpr double largest_share = 1. / 9;
+  // From about this share on, the usual repair of exact classifiers rebuilds.
+  static constexpr double largest_share = 1. / 5;
   static constexpr unsigned max_rest = 63; // frames
 
   // Nanoseconds, measured on random clouds of 1,000 to 10,000 points; only their ratios matter. The

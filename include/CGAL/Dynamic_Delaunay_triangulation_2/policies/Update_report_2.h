@@ -18,7 +18,7 @@ Why an update rebuilt the triangulation instead of mending it.
 enum class Rebuild_reason_2 {
   NONE,            ///< the update did not rebuild
   REPAIR,          ///< the repair is `Rebuild_repair_2`, and something was classified
-  TOO_MUCH_BROKEN, ///< so much was broken, or jumped, that mending would have cost more
+  TOO_MUCH_BROKEN, ///< so much was broken that mending would have cost more
   STUCK,           ///< the repair left something broken, or could not start from the last frame
   COINCIDENCE,     ///< many points came to coincide, or coincident points separated
   POPULATION,      ///< many points were inserted or removed

@@ -25,10 +25,7 @@ nothing, and is valid until the next update.
 
 The plane and periodic space have the same view. There is no infinite vertex in periodic space, and
 the corners of edges and faces are images of points: take the lengths and directions of edges from
-`edge_vector()`, `corners()` and `face_corners()`, not from `position()`. While an exact classifier
-is asked in periodic space, vertices that jump are outside of all faces, and have no edges; the
-numbers of their former edges and faces are those of edges and faces at the infinite vertex, which
-need no repair.
+`edge_vector()`, `corners()` and `face_corners()`, not from `position()`.
 
 Vertices are numbered from 1 to `number_of_vertices()`, in a spatial order; 0 is the infinite
 vertex. Edges and faces are numbered from 0. A rebuild may change all of these numbers, and an

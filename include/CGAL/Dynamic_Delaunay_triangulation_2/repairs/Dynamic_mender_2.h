@@ -28,10 +28,8 @@ tools do nothing.
 
 In periodic space splices work otherwise. `splice_classified()` flips the edges around the
 classified and padded vertices. `splice_open()`, `splice_inverted()` and `relocate()` take the
-vertices of a region out, and insert them anew after the repair; without padding the first two take
-out the vertices that `take_out_farthest()` would. With a heuristic classifier these three examine
-all edges first, since points can be inserted only if all edges are proved. Vertices that jump are
-taken out before the classifier is asked, so `take_out_jumpers()` does nothing.
+vertices of a region out, and insert them anew after the repair. With a heuristic classifier these
+three examine all edges first, since points can be inserted only if all edges are proved.
 
 \tparam Repair_tools an internal type.
 */
@@ -59,19 +57,19 @@ public:
   }
   /// whether the update has to end with a proof, that is, the classifier is exact. If so, and if
   /// the repair leaves edges open, the triangulation is rebuilt after the repair.
-  bool has_to_prove() const { return m_tools.has_to_prove(); }
+  bool has_to_prove() const;
   /// the number of open edges.
-  std::size_t number_of_open_edges() const { return m_tools.number_of_open_edges(); }
+  std::size_t number_of_open_edges() const;
   /// whether any open edge may have inverted faces, that is, its faces are not known to be
   /// counterclockwise.
-  bool has_inverted_edges() const { return m_tools.has_inverted_edges(); }
+  bool has_inverted_edges() const;
   /// the number of all edges.
-  std::size_t number_of_edges() const { return m_tools.number_of_edges(); }
+  std::size_t number_of_edges() const;
   /// whether no work is left: no edge is open, or the triangulation was rebuilt.
   bool is_done() const { return number_of_open_edges() == 0 || m_tools.has_rebuilt(); }
   /// whether a rebuild is expected to cost less than mending all that was classified, and inserting
   /// and removing the points of the same update.
-  bool is_rebuild_cheaper() const { return m_tools.is_rebuild_cheaper(); }
+  bool is_rebuild_cheaper() const;
 
   /// @}
   /// \name Tools
@@ -81,28 +79,36 @@ public:
   /// quarter more, plus an eighth of the cost of a rebuild, but at most that of one rebuild.
   /// Without this call the limit is the cost of two rebuilds. A constant is added to both limits;
   /// it matters for small triangulations.
-  void limit_cost() { m_tools.limit_cost(); }
+  void limit_cost();
 
-  /// takes out of their faces the vertices of open edges that may have inverted faces, if these
-  /// vertices moved farther than their neighborhoods reach. After the repair they are inserted
-  /// again at their new positions. Cost: proportional to their number; rebuilds if that costs less.
-  /// Does nothing if the classifier is heuristic, or if fewer than three vertices would stay.
-  void take_out_jumpers() { m_tools.take_out_jumpers(); }
+  /// whether `hold()` can work: the classifier is exact, and the triangulation was certified before
+  /// its points moved.
+  bool can_hold() const;
 
-  /// takes vertices out as `take_out_jumpers()` does, but other ones: for each open edge that may
-  /// have inverted faces, the one of its four vertices that moved farthest relative to the others,
-  /// unless one of the four is taken out already. Use it after flips.
-  void take_out_farthest() { m_tools.take_out_farthest(); }
+  /// holds vertices back so that all finite faces are counterclockwise and tile the convex hull. A
+  /// vertex that would turn a face over goes where the mean displacement of its neighbors takes it,
+  /// or stays where it was before the points moved. Flips only edges at the hull, and what follows
+  /// from that. Does nothing unless `can_hold()`; rebuilds where so many vertices have
+  /// to be held that this costs more, or if the hull cannot be made convex. After it `flip()`
+  /// closes all edges. Expected cost: proportional to the number of open edges and of held
+  /// vertices.
+  void hold();
+
+  /// lets the held vertices move on to their positions, as far as no face turns over, and flips
+  /// around them. The vertices that cannot arrive are taken out of their faces, and inserted at
+  /// their positions after the repair. Rebuilds if edges are open. Expected cost: proportional to
+  /// the number of held vertices.
+  void release();
 
   /// flips edges (Lawson), starting at the open ones, until no flippable edge violates the
   /// in-circle condition. Expected cost: proportional to the number of flips. Edges that it cannot
   /// repair stay open: flips can get stuck at inverted faces.
-  void flip() { m_tools.flip(); }
+  void flip();
 
   /// flips as `flip()` does, but only open edges that may have inverted faces, and edges around
   /// them; the others stay open. If no edge with inverted faces is left, the faces tile the convex
   /// hull. Later flips are then cheaper: they cannot double an edge, so this is not tested.
-  void flip_inverted() { m_tools.flip_inverted(); }
+  void flip_inverted();
 
   /// splices around the classified vertices with `padding` layers. With a heuristic classifier all
   /// edges count as closed afterwards, whether they were tested or not. Rebuilds if a region holds
@@ -110,32 +116,115 @@ public:
   /// also rebuilds if points in a region coincide; with an exact one they become one vertex, and
   /// the edges that this changes are open. It rebuilds as well if fewer than three vertices would
   /// stay.
-  void splice_classified(unsigned padding) { m_tools.splice_classified(padding); }
+  void splice_classified(unsigned padding);
 
   /// splices around the vertices of the open edges with `padding` layers. Edges that it could not
   /// prove stay open, also around a region that would have to be enlarged too often. Rebuilds in
   /// the same cases as `splice_classified()`.
-  void splice_open(unsigned padding) { m_tools.splice_open(padding); }
+  void splice_open(unsigned padding);
 
   /// splices as `splice_open()` does, but only around open edges that may have inverted faces.
-  void splice_inverted(unsigned padding) { m_tools.splice_inverted(padding); }
+  void splice_inverted(unsigned padding);
 
   /// lets CGAL's `move_if_no_collision()` move one vertex after the other from its position one
   /// frame ago to the current one, in a copy, and takes over the result. Rebuilds if the
   /// triangulation was not certified a frame ago, if it was rebuilt since, if points coincide, if
   /// the same update inserts or removes points, or if the result is not proved Delaunay.
-  void relocate() { m_tools.relocate(); }
+  void relocate();
 
   /// triangulates everything anew, in the order of the last triangulation, and closes all edges.
   /// This may renumber the vertices, so it empties the sets of classified, padded and border
   /// vertices.
-  void rebuild(Rebuild_reason_2 reason) { m_tools.rebuild(reason); }
+  void rebuild(Rebuild_reason_2 reason);
 
   /// @}
 
 private:
   Repair_tools& m_tools;
 };
+
+// Defined outside of the class, so that they are not inline: where they are declared extern,
+// compilers leave out all that they call, which is most of the package (`compiled_updates.h`).
+template <class Repair_tools>
+bool Dynamic_mender_2<Repair_tools>::has_to_prove() const
+{
+  return m_tools.has_to_prove();
+}
+template <class Repair_tools>
+std::size_t Dynamic_mender_2<Repair_tools>::number_of_open_edges() const
+{
+  return m_tools.number_of_open_edges();
+}
+template <class Repair_tools>
+bool Dynamic_mender_2<Repair_tools>::has_inverted_edges() const
+{
+  return m_tools.has_inverted_edges();
+}
+template <class Repair_tools>
+std::size_t Dynamic_mender_2<Repair_tools>::number_of_edges() const
+{
+  return m_tools.number_of_edges();
+}
+template <class Repair_tools>
+bool Dynamic_mender_2<Repair_tools>::is_rebuild_cheaper() const
+{
+  return m_tools.is_rebuild_cheaper();
+}
+template <class Repair_tools>
+void Dynamic_mender_2<Repair_tools>::limit_cost()
+{
+  m_tools.limit_cost();
+}
+template <class Repair_tools>
+bool Dynamic_mender_2<Repair_tools>::can_hold() const
+{
+  return m_tools.can_hold();
+}
+template <class Repair_tools>
+void Dynamic_mender_2<Repair_tools>::hold()
+{
+  m_tools.hold();
+}
+template <class Repair_tools>
+void Dynamic_mender_2<Repair_tools>::release()
+{
+  m_tools.release();
+}
+template <class Repair_tools>
+void Dynamic_mender_2<Repair_tools>::flip()
+{
+  m_tools.flip();
+}
+template <class Repair_tools>
+void Dynamic_mender_2<Repair_tools>::flip_inverted()
+{
+  m_tools.flip_inverted();
+}
+template <class Repair_tools>
+void Dynamic_mender_2<Repair_tools>::splice_classified(unsigned padding)
+{
+  m_tools.splice_classified(padding);
+}
+template <class Repair_tools>
+void Dynamic_mender_2<Repair_tools>::splice_open(unsigned padding)
+{
+  m_tools.splice_open(padding);
+}
+template <class Repair_tools>
+void Dynamic_mender_2<Repair_tools>::splice_inverted(unsigned padding)
+{
+  m_tools.splice_inverted(padding);
+}
+template <class Repair_tools>
+void Dynamic_mender_2<Repair_tools>::relocate()
+{
+  m_tools.relocate();
+}
+template <class Repair_tools>
+void Dynamic_mender_2<Repair_tools>::rebuild(Rebuild_reason_2 reason)
+{
+  m_tools.rebuild(reason);
+}
 
 } // namespace CGAL
 

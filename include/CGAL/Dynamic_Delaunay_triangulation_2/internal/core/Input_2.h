@@ -149,9 +149,6 @@ public:
   // Does nothing: in the plane, points that the call removes may have any positions in the frame.
   static void leave_out(const std::vector<Index>&) {}
 
-  // Finds none: in the plane, previous positions are not read before the classifier has run.
-  static std::vector<Index> find_jumpers(std::size_t) { return {}; }
-
   // Does nothing: in the plane, points may have any coordinates that can be read.
   static void check(const std::vector<Point>&, const std::vector<Index>&) {}
 

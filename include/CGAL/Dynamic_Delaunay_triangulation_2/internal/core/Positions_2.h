@@ -56,6 +56,9 @@ public:
   using Stored_point = typename Arrays::Stored_point;
   static constexpr bool points_are_two_doubles = Arrays::points_are_two_doubles;
 
+  // Whether place() can put a vertex anywhere.
+  static constexpr bool can_place = points_are_two_doubles || is_made_of_x_and_y<Point>;
+
   // The first of the points must be that of the infinite vertex.
   explicit Positions_2(std::vector<Stored_point>& points)
     : m_points(points)
@@ -75,8 +78,8 @@ public:
   }
   decltype(auto) point(Vertex_index v) const { return Arrays::as_point(m_points[v]); }
 
-  // Whether no coordinate was rounded in positions().
-  bool are_exact() const { return m_are_exact; }
+  // Whether no coordinate was rounded in positions(), wherever vertices are held in this call.
+  bool are_exact() const { return m_are_exact && m_were_exact; }
 
   // Whether points have moved in the present call. Otherwise their previous places are not known,
   // and previous_position() returns the present ones.
@@ -142,7 +145,7 @@ private:
   void accept_frame(bool are_exact)
   {
     exchange();
-    m_are_exact = are_exact;
+    m_were_exact = std::exchange(m_are_exact, are_exact);
     m_is_frame = true;
   }
 
@@ -151,6 +154,7 @@ private:
     CGAL_precondition(m_is_frame);
     exchange();
     m_are_exact = were_exact;
+    m_were_exact = true;
     m_is_frame = false;
   }
 
@@ -195,7 +199,31 @@ private:
   void forget_previous()
   {
     m_is_frame = false;
+    m_were_exact = true;
     m_moved.clear();
+  }
+
+  // HELD VERTICES -------------------------------------------------------------------------------
+
+  const Stored_point& stored(Vertex_index v) const { return m_points[v]; }
+
+  // Puts the vertex at p. Its previous position stays.
+  void place(Vertex_index v, const Position_2& p)
+  {
+    if constexpr (points_are_two_doubles)
+      m_points[v] = p;
+    else {
+      static_assert(can_place);
+      set(v, Point(p.x, p.y));
+    }
+  }
+  void put_to_rest(Vertex_index v) { restore(v, *std::as_const(*this).previous(v)); }
+  void restore(Vertex_index v, const Stored_point& p)
+  {
+    if constexpr (points_are_two_doubles)
+      m_points[v] = p;
+    else
+      set(v, p);
   }
 
   // IN STEP WITH THE VERTICES -------------------------------------------------------------------
@@ -302,6 +330,7 @@ private:
   std::vector<std::pair<Index, Stored_point>> m_moved; // single points, with former places
   bool m_is_frame = false;                             // the other arrays hold the previous frame
   bool m_are_exact = true;
+  bool m_were_exact = true; // the previous positions, while a call knows them
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

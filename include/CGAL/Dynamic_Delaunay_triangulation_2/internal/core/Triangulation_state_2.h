@@ -60,7 +60,6 @@ public:
   static constexpr bool has_hull = true;
   static constexpr bool can_splice = true; // a region can be triangulated separately
   static constexpr bool can_locate_anywhere = true;
-  static constexpr bool jumpers_leave_before_motion = false;
 
   static constexpr bool coordinates_are_doubles = has_double_coordinates<Point>;
 
@@ -113,6 +112,16 @@ public:
   {
     return arrays().source(h) == edge(e).source;
   }
+  bool is_infinite_face(Face_index f) const
+  {
+    const auto [a, b, c] = arrays().face(f);
+    return a == infinite_index || b == infinite_index || c == infinite_index;
+  }
+  // Whether the face of h is finite, and the one beyond h is not.
+  bool is_hull_edge(Halfedge_index h) const
+  {
+    return arrays().apex(arrays().twin(h)) == infinite_index;
+  }
   static bool is_shown_right(Index) { return true; }
   bool is_at_infinity(Edge_index e) const { return internal::is_at_infinity(edge(e)); }
   bool breaks_hull(Edge_index e) const { return internal::breaks_hull(edge(e), positions()); }
@@ -148,7 +157,7 @@ public:
   // Fewer vertices than these are triangulated from scratch.
   static constexpr std::size_t min_vertices = 3;
   // The number of vertices in the plane that cost as much to triangulate from scratch.
-  static std::size_t rebuilt_vertices(std::size_t vertices) { return vertices; }
+  std::size_t rebuilt_vertices() const { return number_of_vertices(); }
 
   // CORNERS ---------------------------------------------------------------------------------------
   // A corner is a vertex as seen from a point of view, which is called a frame. In the plane all
@@ -174,7 +183,11 @@ public:
   static Frame frame_seen_from(Index, Index) { return {}; }
   double rounded_squared_distance(Vertex_index v, Vertex_index w) const
   {
-    return squared_distance(positions()[v], positions()[w]);
+    return rounded_squared_distance(positions()[v], positions()[w]);
+  }
+  static double rounded_squared_distance(const Position_2& p, const Position_2& q)
+  {
+    return squared_distance(p, q);
   }
   // The position of v one frame ago, as seen from where the present position of v is `now`.
   Position_2 previous_position_at(Vertex_index v, const Position_2&) const
@@ -199,6 +212,9 @@ public:
 
   // The position of a vertex one frame ago, or before it moved alone in this call.
   Position_2 previous_position(Vertex_index v) const { return m_positions.previous_position(v); }
+
+  // The position where the vertex rests: the previous one.
+  Position_2 rest_position(Vertex_index v) const { return previous_position(v); }
 
   void prefetch_positions(Vertex_index v) const { m_positions.prefetch(v); }
 

@@ -89,6 +89,14 @@ inline bool is_counterclockwise(const Torus_2& torus)
   return torus.orientation({origin, no_shift}, {origin, {1, 0}}, {origin, {0, 1}}) == LEFT_TURN;
 }
 
+// Returns what is s times the old cell's vectors in multiples of the new ones, moved with the cell.
+inline Position_2 in_new_multiples(const Position_2& s,
+                                   const std::array<Periodic_shift_2, 2>& multiples)
+{
+  return {s.x * multiples[0][0] + s.y * multiples[1][0],
+          s.x * multiples[0][1] + s.y * multiples[1][1]};
+}
+
 // Returns the old cell's vectors in multiples of the new ones, for a cell that is only deformed. If
 // the cells have different orientations, exchanges the vectors: faces stay counterclockwise.
 inline std::array<Periodic_shift_2, 2> multiples_in_deformed_cell(const Torus_2& old_torus,

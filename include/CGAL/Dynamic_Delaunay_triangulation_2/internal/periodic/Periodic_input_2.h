@@ -96,22 +96,6 @@ public:
     }
   }
 
-  // Returns the vertices that go far, compared to the mean motion, and farther than half the way to
-  // their nearest neighbors. They would tangle the faces on their way. If they are more than
-  // `most`, returns just some of them, but more than `most`. Call this before accept().
-  std::vector<Index> find_jumpers(std::size_t most) const
-  {
-    std::vector<Index> jumpers;
-    for (const auto& [v, way] : m_far) {
-      if (jumpers.size() > most)
-        break;
-      const double squared = squared_distance(way, m_mean_way);
-      if (squared > m_squared_long_way && 4 * squared > squared_distance_to_neighbors(v))
-        jumpers.push_back(v);
-    }
-    return jumpers;
-  }
-
   // Makes the staged positions and the staged cell the present ones. Throws nothing.
   void accept()
   {
@@ -136,7 +120,11 @@ public:
   }
 
   // Forgets the previous positions. To be called at the end of each call of the user.
-  void settle() { m_positions.forget_previous(); }
+  void settle()
+  {
+    m_positions.forget_previous();
+    m_state.m_deformation.reset();
+  }
 
 private:
   struct Points_by_id
@@ -218,7 +206,8 @@ private:
     }
     if (!are_in_range)
       throw_refused(next, now);
-    m_editing.reserve_for_move(2 * m_translated.size() + 1); // for accept() and take_back()
+    // for accept(), take_back() and accept() again
+    m_editing.reserve_for_move(3 * m_translated.size() + 2);
   }
 
   template <class Next>
@@ -247,23 +236,14 @@ private:
 
   using Translations = std::vector<std::pair<Index, Shift>>;
 
-  // What was found out about a part of the vertices.
-  struct Part
-  {
-    Translations translated;
-    std::vector<std::pair<Index, Position_2>> far_movers; // vertices that go far, and their ways
-    Position_2 sum;                                       // of all ways
-  };
-
   // Stages the positions of the vertices. Lists the vertices that are nearest to another image of
   // their last position, with its shift in multiples of the new cell's vectors: a point that leaves
-  // the cell and enters it at the other side does not go far. Lists the vertices that go far. False
-  // if a coordinate is not finite, or a point is out of range in the new cell.
+  // the cell and enters it at the other side does not go far. False if a coordinate is not finite,
+  // or a point is out of range in the new cell.
   template <bool is_same, class Next>
   bool stage_vertices(const Next& next, const Torus_2& now)
   {
     const Index vertices = m_state.number_of_vertices();
-    m_squared_long_way = squared_long_way();
     m_parts.resize(Parts::number(vertices));
     std::atomic<bool> are_in_range{true};
     Parts::for_each(vertices, [&](std::size_t part, std::size_t first, std::size_t beyond) {
@@ -271,24 +251,16 @@ private:
         are_in_range.store(false, std::memory_order_relaxed);
     });
     m_translated.clear();
-    m_far.clear();
-    Position_2 sum{0, 0};
-    for (const Part& part : m_parts) {
-      m_translated.insert(m_translated.end(), part.translated.begin(), part.translated.end());
-      m_far.insert(m_far.end(), part.far_movers.begin(), part.far_movers.end());
-      sum = {sum.x + part.sum.x, sum.y + part.sum.y};
-    }
-    if (vertices > 0)
-      m_mean_way = {sum.x / vertices, sum.y / vertices};
+    for (const Translations& translated : m_parts)
+      m_translated.insert(m_translated.end(), translated.begin(), translated.end());
     return are_in_range;
   }
 
   template <bool is_same, class Next>
-  bool stage_part(const Next& next, const Torus_2& now, Index first, Index beyond, Part& part)
+  bool stage_part(const Next& next, const Torus_2& now, Index first, Index beyond,
+                  Translations& translated)
   {
-    part.translated.clear();
-    part.far_movers.clear();
-    part.sum = {0, 0};
+    translated.clear();
     const double usual = usual_sum(now);
     const Index vertices = m_state.number_of_vertices();
     const Index end_of_prefetching =
@@ -298,8 +270,8 @@ private:
     for (Vertex_index v = first; v < beyond; v += block) {
       const Index end = (std::min)(v + block, beyond);
       const Index prefetched = end < end_of_prefetching ? prefetched_ahead : 0;
-      if (!(is_same && stage_usual(next, now, usual, v, end, prefetched, part.sum)) &&
-          !stage_any<is_same>(next, now, v, end, part))
+      if (!(is_same && stage_usual(next, now, usual, v, end, prefetched)) &&
+          !stage_any<is_same>(next, now, v, end, translated))
         return false;
     }
     return true;
@@ -310,14 +282,13 @@ private:
   // frames saves a tenth of the time of an update.
   template <class Next>
   bool stage_usual(const Next& next, const Torus_2& now, double usual, Index first, Index beyond,
-                   Index prefetched, Position_2& sum)
+                   Index prefetched)
   {
     const auto staged = m_positions.staged();
     const Index* const representatives = m_state.ids().representatives();
     const Position_2* const positions = m_state.positions().data();
-    const double short_way = (std::min)(now.short_way(), std::sqrt(m_squared_long_way));
+    const double short_way = now.short_way();
     bool are_usual = true;
-    Position_2 ways{0, 0};
     for (Vertex_index v = first; v < beyond; ++v) {
       next.prefetch(representatives[v + prefetched]);
       const Point& point = next(representatives[v]);
@@ -325,15 +296,13 @@ private:
       staged.set(v, q, point);
       are_usual &= std::abs(way.x) + std::abs(way.y) <= short_way;
       are_usual &= std::abs(q.x) + std::abs(q.y) <= usual;
-      ways = {ways.x + way.x, ways.y + way.y};
     }
-    if (are_usual)
-      sum = {sum.x + ways.x, sum.y + ways.y};
     return are_usual;
   }
 
   template <bool is_same, class Next>
-  bool stage_any(const Next& next, const Torus_2& now, Index first, Index beyond, Part& part)
+  bool stage_any(const Next& next, const Torus_2& now, Index first, Index beyond,
+                 Translations& translated)
   {
     const auto staged = m_positions.staged();
     for (Vertex_index v = first; v < beyond; ++v) {
@@ -343,54 +312,16 @@ private:
       staged.set(v, q, point);
       if (!is_in_range(q, now))
         return false; // the shift may not fit into an int
-      Position_2 way = q - p;
-      if (!(is_same && now.is_short(way))) {
-        const Position_2 step =
-            is_same ? now.multiples(way) : now.multiples(q) - multiples_in_next_cell(p);
-        const Shift shift = now.nearest_shift(step);
-        if (!are_equal(shift, no_shift))
-          part.translated.push_back({v, shift});
-        way = now.vector({step.x - shift[0], step.y - shift[1]});
-      }
-      part.sum = {part.sum.x + way.x, part.sum.y + way.y};
-      if (dot(way, way) > m_squared_long_way)
-        part.far_movers.push_back({v, way});
+      const Position_2 way = q - p;
+      if (is_same && now.is_short(way))
+        continue;
+      const Position_2 step =
+          is_same ? now.multiples(way) : now.multiples(q) - multiples_in_next_cell(p);
+      const Shift shift = now.nearest_shift(step);
+      if (!are_equal(shift, no_shift))
+        translated.push_back({v, shift});
     }
     return true;
-  }
-
-  // WAYS ----------------------------------------------------------------------------------------
-
-  double squared_distance_to_neighbors(Vertex_index v) const
-  {
-    double least = std::numeric_limits<double>::infinity();
-    const Torus_2& torus = m_state.torus();
-    m_state.arrays().for_each_corner(v, [&](Halfedge_index h) {
-      const Image_2 p = m_state.image(h), q = m_state.image(Halfedge_arrays_2::next(h));
-      if (!torus.are_across(p.shift, q.shift))
-        least = (std::min)(least, squared_distance(torus.rounded(p), torus.rounded(q)));
-    });
-    return least;
-  }
-
-  // Returns the square of a quarter of the spacing.
-  double squared_long_way() const { return area_of_points() / m_state.number_of_vertices() / 16; }
-
-  // Returns the area of the cell. In a slab, returns the area of the strip with all points, or, if
-  // that is thin, of squares between points in a row.
-  double area_of_points() const
-  {
-    const Torus_2& torus = m_state.torus();
-    if (!torus.cell().is_slab())
-      return torus.cell().area();
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v) {
-      const double height = torus.multiples(m_state.positions()[v]).y;
-      low = (std::min)(low, height);
-      high = (std::max)(high, height);
-    }
-    const double length = std::hypot(torus.cell().ax(), torus.cell().ay());
-    return length * (std::max)(high - low, length / m_state.number_of_vertices());
   }
 
   // CELLS ---------------------------------------------------------------------------------------
@@ -425,9 +356,7 @@ private:
   // Returns a position of the old cell, moved with the cell, in multiples of the new vectors.
   Position_2 multiples_in_next_cell(const Position_2& p) const
   {
-    const Position_2 s = m_state.torus().multiples(p);
-    return {s.x * m_multiples[0][0] + s.y * m_multiples[1][0],
-            s.x * m_multiples[0][1] + s.y * m_multiples[1][1]};
+    return in_new_multiples(m_state.torus().multiples(p), m_multiples);
   }
 
   // \pre The determinant is 1 or -1.
@@ -446,11 +375,8 @@ private:
   Torus_editing_2<State> m_editing;
   std::vector<Index> m_gone; // ids to be left out of the next frame
   std::vector<typename State::Ids::Duplicate> m_next_duplicates;
-  std::vector<Part> m_parts;                       // of the vertices, while they are staged
-  std::vector<std::pair<Index, Position_2>> m_far; // vertices and their ways
-  Position_2 m_mean_way{0, 0};                     // of all vertices
-  double m_squared_long_way = 0;
-  Translations m_translated; // vertices, and their shifts
+  std::vector<Translations> m_parts; // of the vertices, while they are staged
+  Translations m_translated;         // vertices, and their shifts
   Periodic_cell_2 m_cell{1, 1}, m_cell_before{1, 1};
   std::array<Shift, 2> m_multiples = unit_multiples; // of the old cell's vectors
 };

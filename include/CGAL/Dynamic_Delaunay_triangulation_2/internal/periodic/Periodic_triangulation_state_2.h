@@ -20,6 +20,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -116,17 +117,15 @@ public:
   static constexpr bool has_hull = false;
   static constexpr bool can_splice = false;          // a region may meet images of itself
   static constexpr bool can_locate_anywhere = false; // only where all is Delaunay
-  static constexpr bool jumpers_leave_before_motion = true;
 
   static constexpr std::size_t min_vertices = 1;
-  // The number of vertices in the plane whose rebuild costs as much, compared with mending. A
-  // rebuild takes about twice the plane's time. Mending grows dearer with the number of vertices,
-  // faster than in the plane: 1,000, 10,000 and 100,000 points cost as much to mend as to rebuild
-  // at steps of 0.14, 0.13 and 0.1 spacings.
-  static std::size_t rebuilt_vertices(std::size_t vertices)
+  // The number of vertices in the plane whose rebuild costs as much, where mending costs the same.
+  // A rebuild takes twice the plane's time, but mending is dearer, too. In a slab a rebuild takes
+  // five times as long as on a torus, and far longer where points are few.
+  std::size_t rebuilt_vertices() const
   {
-    constexpr std::size_t many = 1 << 15;
-    return vertices < many ? 3 * vertices : vertices * 4 / 3;
+    const std::size_t vertices = number_of_vertices();
+    return m_torus.cell().is_slab() ? 7 * vertices : vertices * 4 / 3;
   }
 
   explicit Periodic_triangulation_state_2(const Periodic_cell_2& cell)
@@ -173,6 +172,17 @@ public:
   {
     const auto [h, i, k] = Halfedge_arrays_2::halfedges_of(f);
     return are_across(h, i) || are_across(h, k);
+  }
+
+  // None: also the faces in the gap have an orientation.
+  static bool is_infinite_face(Face_index) { return false; }
+
+  // Whether h is on a side of a slab, and its face is not in the gap.
+  bool is_hull_edge(Halfedge_index h) const
+  {
+    using Arrays = Halfedge_arrays_2;
+    return m_torus.cell().is_slab() && !is_in_gap(Arrays::face_of(h)) &&
+           is_in_gap(Arrays::face_of(m_arrays.twin(h)));
   }
 
   // Returns what must be added to a shift in the face beyond h to get it in the face of h.
@@ -227,7 +237,11 @@ public:
   // The squared distance between images that are near each other.
   double rounded_squared_distance(Vertex_index v, Vertex_index w) const
   {
-    return squared_distance(nearest_image(positions()[v], positions()[w]), positions()[w]);
+    return rounded_squared_distance(positions()[v], positions()[w]);
+  }
+  double rounded_squared_distance(const Position_2& p, const Position_2& q) const
+  {
+    return squared_distance(nearest_image(p, q), q);
   }
   // Returns the position one frame ago of the image of v that is at `now`.
   Position_2 previous_position_at(Vertex_index v, const Position_2& now) const
@@ -315,6 +329,16 @@ public:
   {
     return nearest_image(m_positions.previous_position(v), positions()[v]);
   }
+  // The position where the vertex rests: the previous one, moved along with the cell. A deformation
+  // of the cell turns no face over.
+  Position_2 rest_position(Vertex_index v) const
+  {
+    if (!m_deformation)
+      return previous_position(v);
+    const Position_2 s = m_deformation->before.multiples(m_positions.previous_position(v));
+    return nearest_image(m_torus.vector(in_new_multiples(s, m_deformation->multiples)),
+                         positions()[v]);
+  }
 
   Edge_2 edge(Edge_index e) const
   {
@@ -391,6 +415,14 @@ public:
   }
 
 private:
+  // How the last call has changed the cell: the cell before, whose vectors have these multiples of
+  // the present ones.
+  struct Deformation
+  {
+    Torus_2 before;
+    std::array<Periodic_shift_2, 2> multiples;
+  };
+
   // The image of p that is nearest to q, rounded.
   Position_2 nearest_image(const Position_2& p, const Position_2& q) const
   {
@@ -421,6 +453,7 @@ private:
   Positions m_positions;
   Change_log_2 m_changes;
   std::size_t m_cell_changes = 0;
+  std::optional<Deformation> m_deformation; // until the call ends
   Ids m_ids;
   Visitor_calls m_visitor_calls;
 };

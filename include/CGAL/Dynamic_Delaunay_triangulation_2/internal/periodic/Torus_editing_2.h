@@ -59,19 +59,25 @@ struct Periodic_change_2
   std::array<Periodic_shift_2, 2> shifts; // the first one alone, unless a cell was exchanged
 };
 
-// Logs changes until a call has ended, and then tells the user's visitor. `Dynamic` is the
-// triangulation that the visitor is shown. For the default visitor it is `void`: nothing is logged.
-template <class Visitor, class Dynamic>
+// Logs changes until a call has ended, and then tells the user's visitor, which is hidden behind a
+// function as in `Visitor_calls_2`. Where none is heard, nothing is logged.
+template <bool is_heard_>
 class Periodic_visitor_calls_2
 {
 public:
-  static constexpr bool is_heard = !std::is_void_v<Dynamic>;
+  static constexpr bool is_heard = is_heard_;
 
   // Call this first: both objects may be at other addresses than in the last call.
-  void start(Visitor& visitor, const Dynamic* dynamic)
+  template <class Visitor, class Dynamic>
+  void start([[maybe_unused]] Visitor& visitor, [[maybe_unused]] const Dynamic* dynamic)
   {
-    m_visitor = &visitor;
-    m_dynamic = dynamic;
+    if constexpr (is_heard) {
+      m_visitor = &visitor;
+      m_dynamic = dynamic;
+      m_tell = [](void* v, const void* d, const Periodic_change_2& change) {
+        change.tell(*static_cast<Visitor*>(v), *static_cast<const Dynamic*>(d));
+      };
+    }
   }
 
   // Tells all changes since the last finish(), including those of a call that an exception has
@@ -82,7 +88,7 @@ public:
       m_told.clear();
       m_told.swap(m_log);
       for (const Periodic_change_2& change : m_told)
-        change.tell(*m_visitor, *m_dynamic);
+        m_tell(m_visitor, m_dynamic, change);
     }
   }
 
@@ -101,8 +107,9 @@ public:
   }
 
 private:
-  Visitor* m_visitor = nullptr;
-  const Dynamic* m_dynamic = nullptr;
+  void* m_visitor = nullptr;
+  const void* m_dynamic = nullptr;
+  void (*m_tell)(void*, const void*, const Periodic_change_2&) = nullptr;
   std::vector<Periodic_change_2> m_log, m_told;
   std::size_t m_kept = 0;
 };
@@ -294,11 +301,9 @@ public:
   // image of v about where it is.
   void shift_images(Vertex_index v, const Periodic_shift_2& shift)
   {
-    if (are_equal(shift, no_shift))
+    if (are_equal(shift, no_shift) || arrays().is_outside(v))
       return;
     note([&] { return Periodic_change_2::translation(ids().representative(v), shift); });
-    if (arrays().is_outside(v))
-      return;
     changes().relocated.push_back(v);
     arrays().for_each_corner(v, [&](Halfedge_index h) { shifts()[h] = shifts()[h] - shift; });
     arrays().for_each_corner(v, [&](Halfedge_index h) { after_face(Arrays::face_of(h)); });
@@ -311,6 +316,7 @@ public:
     if (multiples != unit_multiples)
       note([&] { return Periodic_change_2::exchange(multiples); });
     ++m_state.m_cell_changes;
+    m_state.m_deformation.emplace(typename State::Deformation{m_state.m_torus, multiples});
     m_state.m_torus = Torus_2(cell);
     for (Periodic_shift_2& s : shifts())
       s = {s[0] * multiples[0][0] + s[1] * multiples[1][0],

@@ -27,6 +27,10 @@ class Plane_editing_2
   using Arrays = Halfedge_arrays_2;
   using Slot = Arrays::Slot;
 
+  using Told = typename Topology::Visitor_calls::Change;
+  using Kind = typename Told::Kind;
+  using Edge = typename Told::Edge;
+
 public:
   static constexpr bool tells_at_once = Topology::Visitor_calls::is_heard;
 
@@ -67,13 +71,11 @@ public:
 
   void flip(Halfedge_index h, Log&)
   {
-    using Edge = typename State::Triangulation::Edge;
     const auto f = m_topology.face_handle(Arrays::face_of(h));
     const int place = int(Arrays::place_of(h));
-    const Edge before(f, place), after(f, Triangulation_cw_ccw_2::ccw(place));
-    tell([&](auto& visitor, auto& dt) { visitor.before_flip(dt, before); });
+    tell([&] { return Told::of(Kind::BEFORE_FLIP, Edge(f, place)); });
     m_arrays.flip(h);
-    tell([&](auto& visitor, auto& dt) { visitor.after_flip(dt, after); });
+    tell([&] { return Told::of(Kind::AFTER_FLIP, Edge(f, Triangulation_cw_ccw_2::ccw(place))); });
   }
 
   void set_corner(Halfedge_index h, Vertex_index v) { m_arrays.set_apex(h, v); }
@@ -81,13 +83,11 @@ public:
 
   void before_face(Face_index f)
   {
-    const auto face = m_topology.face_handle(f);
-    tell([&](auto& visitor, auto& dt) { visitor.before_face_removal(dt, face); });
+    tell([&] { return Told::of(Kind::BEFORE_FACE_REMOVAL, m_topology.face_handle(f)); });
   }
   void after_face(Face_index f)
   {
-    const auto face = m_topology.face_handle(f);
-    tell([&](auto& visitor, auto& dt) { visitor.after_face_creation(dt, face); });
+    tell([&] { return Told::of(Kind::AFTER_FACE_CREATION, m_topology.face_handle(f)); });
   }
   static void before_edge(Index) {}
   static void after_edge(Index) {}
@@ -96,30 +96,27 @@ public:
 
   void after_vertex_creation(Vertex_index v)
   {
-    tell([&](auto& visitor, auto& dt) { visitor.after_vertex_creation(dt, handle(v), id(v)); });
+    tell([&] { return Told::of(Kind::AFTER_VERTEX_CREATION, handle(v), id(v)); });
   }
   void before_vertex_removal(Vertex_index v)
   {
-    tell([&](auto& visitor, auto& dt) { visitor.before_vertex_removal(dt, handle(v), id(v)); });
+    tell([&] { return Told::of(Kind::BEFORE_VERTEX_REMOVAL, handle(v), id(v)); });
   }
   void before_vertex_relocation(Vertex_index v)
   {
-    tell([&](auto& visitor, auto& dt) { visitor.before_vertex_relocation(dt, handle(v), id(v)); });
+    tell([&] { return Told::of(Kind::BEFORE_VERTEX_RELOCATION, handle(v), id(v)); });
   }
   void before_vertex_merge(Index goes, Index stays)
   {
-    tell([&](auto& visitor, auto& dt) {
-      visitor.before_vertex_merge(dt, handle(goes), id(goes), handle(stays));
-    });
+    tell(
+        [&] { return Told::of(Kind::BEFORE_VERTEX_MERGE, handle(goes), id(goes), handle(stays)); });
   }
 
   static void reserve_for_id_change(Index) {}
   static void before_id_change(Index) {}
   void after_id_change(Vertex_index v, Index former, const Position_2&)
   {
-    tell([&](auto& visitor, auto& dt) {
-      visitor.after_id_change(dt, handle(v), std::size_t(former));
-    });
+    tell([&] { return Told::of(Kind::AFTER_ID_CHANGE, handle(v), std::size_t(former)); });
   }
 
   static void reserve_for_move() {}
@@ -149,11 +146,11 @@ public:
   void move_last_face_data_to(Face_index f) { m_storage.m_face_data.move_last_to(f); }
 
 private:
-  // Calls f(visitor, triangulation) if the user has a visitor.
-  template <class Function>
-  void tell(const Function& f)
+  // Tells the user's visitor, if there is one, of the change that `make()` returns.
+  template <class Make>
+  void tell(const Make& make)
   {
-    m_topology.m_visitor_calls.call(f);
+    m_topology.m_visitor_calls.call(make);
   }
   auto handle(Vertex_index v) const { return m_topology.vertex_handle(v); }
   std::size_t id(Vertex_index v) const { return m_topology.m_ids.representative(v); }

@@ -116,7 +116,14 @@ public:
     for (const Halfedge_index h :
          {Arrays::halfedge_in(f, 2), Arrays::halfedge_in(f, 1), Arrays::halfedge_in(f, 0)})
       m_open.push_back({h, frame});
+    // a point beside a slab reaches all along its side, and past its own images without an end
+    std::size_t next_look = 64;
     while (!m_open.empty() && m_faces.size() <= most) {
+      if (m_faces.size() >= next_look) {
+        if (meets_itself())
+          return false;
+        next_look *= 2;
+      }
       const Open open = m_open.back();
       const Halfedge_index outer = arrays.twin(open.halfedge);
       const Frame beyond = state.frame_beyond(open.halfedge, open.frame);

@@ -11,61 +11,11 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 
-#include <exception>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
-
-// Reports to the user's visitor what an update changes. Only `finish()` throws, because elsewhere
-// an exception would leave the topology inconsistent. After the visitor's first exception, which
-// `finish()` throws, the visitor is not called again in this update.
-//
-// `Dynamic` is the triangulation that a visitor is shown, and `void` for the default visitor: then
-// triangulations that differ in classifier, repair and policy share the compiled core.
-template <class Visitor, class Dynamic>
-class Visitor_calls_2
-{
-public:
-  // False for the default visitor; then no call is compiled.
-  static constexpr bool is_heard = !std::is_void_v<Dynamic>;
-
-  // Called in each update, because both objects may have other addresses than in the last one.
-  void start(Visitor& visitor, const Dynamic* dynamic)
-  {
-    m_visitor = &visitor;
-    m_dynamic = dynamic;
-    m_failure = nullptr;
-  }
-
-  void finish()
-  {
-    m_visitor = nullptr;
-    if (m_failure)
-      std::rethrow_exception(std::exchange(m_failure, nullptr));
-  }
-
-  // Calls f(visitor, triangulation).
-  template <class Function>
-  void call(const Function& f) noexcept
-  {
-    if constexpr (is_heard) {
-      if (m_visitor == nullptr || m_failure)
-        return;
-      try {
-        f(*m_visitor, *m_dynamic);
-      } catch (...) {
-        m_failure = std::current_exception();
-      }
-    }
-  }
-
-private:
-  Visitor* m_visitor = nullptr;
-  const Dynamic* m_dynamic = nullptr;
-  std::exception_ptr m_failure;
-};
 
 template <class State>
 class Input_frame_2;

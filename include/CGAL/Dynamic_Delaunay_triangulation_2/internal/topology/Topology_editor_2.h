@@ -473,6 +473,27 @@ public:
     m_positions.end_moves();
   }
 
+  // HELD VERTICES -------------------------------------------------------------------------------
+  // While an update runs, a vertex may be elsewhere than its point. Faces stay as they are.
+
+  const typename Positions::Stored_point& stored(Vertex_index v) const
+  {
+    return m_positions.stored(v);
+  }
+  void place(Vertex_index v, const Position_2& p) { m_positions.place(v, p); }
+  // Puts a vertex where it was before it moved; on a torus, where the cell has taken that along.
+  void put_to_rest(Vertex_index v)
+  {
+    if constexpr (State::is_periodic)
+      m_positions.place(v, m_state.rest_position(v));
+    else
+      m_positions.put_to_rest(v);
+  }
+  void restore(Vertex_index v, const typename Positions::Stored_point& p)
+  {
+    m_positions.restore(v, p);
+  }
+
 private:
   void move_representative(Point_id id, const Point& p)
   {

@@ -46,6 +46,30 @@ public:
     return flips;
   }
 
+  // Flips from a few edges whose data are in the cache, where the faces tile the convex hull or the
+  // torus. Leaves in `open` the edges that it could not prove.
+  template <class State, class Editor>
+  std::size_t run_nearby(const State& state, Editor& editor, std::vector<Index>& open,
+                         std::size_t most)
+  {
+    const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
+    m_work.open.clear();
+    m_work.not_flippable.clear();
+    m_work.flips = 0;
+    m_work.touched.swap(open);
+    const auto flip = [&](Halfedge_index h) {
+      editor.flip(h);
+      return true;
+    };
+    flip_touched(state, limit, flip, m_work);
+    open.clear();
+    for (std::vector<Index>* edges : {&m_work.touched, &m_work.open, &m_work.not_flippable}) {
+      open.insert(open.end(), edges->begin(), edges->end());
+      edges->clear();
+    }
+    return m_work.flips;
+  }
+
   // Flips around v, which was put into a face. Leaves in `open` the edges that it could not prove.
   template <class State, class Editor>
   std::size_t run_around(const State& state, Editor& editor, Vertex_index v,
@@ -65,7 +89,7 @@ private:
   // flip elsewhere makes them flippable, and a flip beside them examines them again.
   struct Work
   {
-    std::vector<Index> seeds, touched, open, not_flippable;
+    std::vector<Index> seeds, touched, sides, open, not_flippable;
     std::size_t flips = 0;
   };
 
@@ -163,13 +187,20 @@ private:
       if (i % stretch == 0)
         prefetch_stretch(state, work.seeds, i);
       work.touched.push_back(work.seeds[i]);
-      while (!work.touched.empty() && work.flips < limit) {
-        const Edge_index e = work.touched.back();
-        work.touched.pop_back();
-        work.flips += examine(state, e, try_flip, work);
-      }
+      flip_touched(state, limit, try_flip, work);
       work.open.insert(work.open.end(), work.touched.begin(), work.touched.end());
       work.touched.clear();
+    }
+  }
+
+  template <class State, class Try_flip>
+  static void flip_touched(const State& state, std::size_t limit, const Try_flip& try_flip,
+                           Work& work)
+  {
+    while (!work.touched.empty() && work.flips < limit) {
+      const Edge_index e = work.touched.back();
+      work.touched.pop_back();
+      work.flips += examine(state, e, try_flip, work);
     }
   }
 
@@ -190,7 +221,10 @@ private:
     // the old diagonal, so they are Delaunay as soon as their sides and so their faces are proved.
     if (verdict == Edge_state_2::INVERTED)
       work.touched.push_back(e);
-    arrays.for_each_side(e, [&](Edge_index side) { work.touched.push_back(side); });
+    std::size_t sides = 0;
+    work.sides.resize(4);
+    arrays.for_each_side(e, [&](Edge_index side) { work.sides[sides++] = side; });
+    typename State::Edge_test(state).append_unproved(work.sides, work.touched);
     return true;
   }
 

@@ -30,6 +30,8 @@ public:
 
   // Open edges that may have inverted faces.
   const std::vector<Index>& uncertain() const { return m_uncertain; }
+  // The other ones.
+  const std::vector<Index>& illegal() const { return m_illegal; }
   std::vector<Index>& uncertain() { return m_uncertain; }
 
   // Whether the last tool has proved that the faces tile the convex hull. If no tool was used yet,
@@ -71,11 +73,11 @@ public:
   {
     const auto& arrays = state.arrays();
     const auto& new_edges = state.changes().new_edges;
-    m_opened_last.clear(arrays.number_of_edges()); // each occurs some five times
+    m_opened.clear(arrays.number_of_edges()); // each occurs some five times
     for (; i < new_edges.size(); ++i)
       if (!arrays.is_empty_edge(new_edges[i])) {
-        m_opened_last.insert(new_edges[i]);
-        arrays.for_each_side(new_edges[i], [this](Edge_index e) { m_opened_last.insert(e); });
+        m_opened.insert(new_edges[i]);
+        arrays.for_each_side(new_edges[i], [this](Edge_index e) { m_opened.insert(e); });
       }
     using Parts = typename State::Parts;
     constexpr std::size_t least = (std::max)(Parts::usual_size / 4, std::size_t(1));
@@ -83,14 +85,11 @@ public:
       return arrays.is_empty_edge(m_illegal[k]);
     });
     remove_by_parts<Parts>(m_uncertain, least, [&](std::size_t k, std::size_t) {
-      return arrays.is_empty_edge(m_uncertain[k]) || m_opened_last.contains(m_uncertain[k]);
+      return arrays.is_empty_edge(m_uncertain[k]) || m_opened.contains(m_uncertain[k]);
     });
-    m_uncertain.insert(m_uncertain.end(), m_opened_last.begin(), m_opened_last.end());
+    m_uncertain.insert(m_uncertain.end(), m_opened.begin(), m_opened.end());
     m_faces_tile_hull = false;
   }
-
-  // The edges that the last call of open_new_edges() has opened.
-  const std::vector<Index>& opened_last() const { return m_opened_last.members(); }
 
   // Opens all edges that may not be Delaunay.
   template <class State>
@@ -107,31 +106,20 @@ public:
       m_uncertain.insert(m_uncertain.end(), of_part.begin(), of_part.end());
   }
 
+  // Closes the uncertain edges that the filter proves.
+  template <class State>
+  void close_proved(const State& state)
+  {
+    m_unproved.clear();
+    typename State::Edge_test(state).append_unproved(m_uncertain, m_unproved);
+    m_uncertain.swap(m_unproved);
+  }
+
   // From now on, treats the illegal edges like the others.
   void open_illegal()
   {
     m_uncertain.insert(m_uncertain.end(), m_illegal.begin(), m_illegal.end());
     m_illegal.clear();
-  }
-
-  // Drops empty edges, which a classifier may name after vertices were taken out.
-  template <class State>
-  void drop_empty(const State& state)
-  {
-    const auto is_empty = [&](Edge_index e) { return state.arrays().is_empty_edge(e); };
-    for (std::vector<Index>* edges : {&m_uncertain, &m_illegal})
-      edges->erase(std::remove_if(edges->begin(), edges->end(), is_empty), edges->end());
-  }
-
-  // Whether so many edges may have inverted faces that it does not pay to flip these first.
-  bool are_many_uncertain() const { return 4 * m_uncertain.size() > m_illegal.size(); }
-
-  // From now on, treats all open edges alike, in the order of their numbers. This is nearly a
-  // spatial order: where faces overlap in many places, fewer flips get stuck than in other orders.
-  void open_all_in_order()
-  {
-    open_illegal();
-    make_distinct(m_uncertain);
   }
 
   // Opens the edges around open ones, because an illegal edge nearby may prevent their flips.
@@ -177,8 +165,8 @@ public:
   }
 
 private:
-  std::vector<Index> m_uncertain, m_illegal;
-  Index_set_2 m_opened_last;
+  std::vector<Index> m_uncertain, m_illegal, m_unproved;
+  Index_set_2 m_opened;
   bool m_faces_tile_hull = false;
 };
 

@@ -13,10 +13,10 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Border_splice_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Jumper_search_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Held_vertices_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Lawson_flips_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Open_edges_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Vertex_relocation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
@@ -49,7 +49,7 @@ public:
     , m_editor(state)
     , m_builder(state)
     , m_relocation(state, m_editor)
-    , m_jumpers(state)
+    , m_held(state, m_editor)
     , m_splice(state)
   {
   }
@@ -72,8 +72,7 @@ public:
     m_report = &report;
     m_is_exact = is_exact;
     forget();
-    m_budget.start_generously(rebuilt_vertices());
-    m_may_take_out = true;
+    m_budget.start_generously(price_of_rebuild());
   }
 
   Editor& editor() { return m_editor; }
@@ -101,18 +100,14 @@ public:
     m_task = task;
     m_report->classified = m_classification.size();
     m_open.take(m_classification, m_state);
-    if (State::jumpers_leave_before_motion)
-      m_open.drop_empty(m_state);
-    // without splices each edge whose flip gets stuck costs putting a vertex in anew
-    if (!State::can_splice && m_open.are_many_uncertain())
-      m_open.open_all_in_order();
     m_classified_edges = m_open.size();
+    m_price_of_mending = price(Cost_model_2::mending);
     if (task.jumper != null_index)
       open_edges_that_see(task.jumper);
   }
 
-  // Whether this vertex has to be taken out, if it is the only one that has moved.
-  bool has_jumped_alone(Vertex_index v) const { return m_jumpers.has_jumped_alone(v); }
+  // Whether the only vertex that has moved has to be taken out.
+  bool has_jumped_alone(Vertex_index v) const { return m_held.goes_far(v); }
 
   // Removes the points with these ids. False if some of them are left, which is so only on a torus:
   // see Vertex_relocation_2::take_out(). Then a rebuild has to leave them out.
@@ -129,33 +124,33 @@ public:
       m_open.open_new_edges(m_state, first_new);
     for (const Vertex_index v : moved)
       open_edges_that_see(v);
+    m_open.close_proved(m_state);
     return are_gone;
+  }
+
+  // Removes points with these ids before a frame moves the others, so that it stays known where
+  // these rest. Everything has to be Delaunay. Leaves the points that share a vertex to remove().
+  // False if some of the others are left, as in remove().
+  bool remove_before_motion(const std::vector<Index>& ids)
+  {
+    const std::size_t first_new = m_state.changes().new_edges.size();
+    m_relocation.remove_of_delaunay(ids);
+    if (m_relocation.has_rest()) {
+      const std::size_t first_unproved = m_state.changes().new_edges.size();
+      if (!m_relocation.remove_rest())
+        return false;
+      Open_edges_2 around;
+      around.open_new_edges(m_state, first_unproved);
+      note_flips(m_lawson.run(m_state, m_editor, around.uncertain(), false, most_flips()));
+      m_task.was_certified = around.empty() && hull_turns_once();
+    }
+    m_open.open_new_edges(m_state, first_new);
+    return true;
   }
 
   // The largest number of vertices to take out and put in again where no region can be spliced, a
   // sixth of a small torus: more are as much work as triangulating anew.
-  std::size_t max_taken_out() const { return 10 + rebuilt_vertices() / 18; }
-
-  // Takes out vertices that are about to jump, while everything is Delaunay, so that their motion
-  // breaks nothing. Leaves them to the repair if they are many, or if their faces meet images of
-  // themselves.
-  void take_out_before_motion(const std::vector<Index>& jumpers)
-  {
-    if (jumpers.size() > max_taken_out())
-      return;
-    for (const Vertex_index v : jumpers)
-      if (can_spare(1))
-        m_relocation.take_out_of_delaunay(v);
-  }
-  // Puts the vertices that take_out_before_motion() took out into faces, after a frame was refused.
-  void put_back()
-  {
-    if (m_relocation.number_waiting() == 0)
-      return;
-    m_open.clear();
-    m_task.has_to_prove = true;
-    put_in({});
-  }
+  std::size_t max_taken_out() const { return 10 + m_state.number_of_vertices() / 6; }
 
   // Opens all edges that may not be Delaunay. After that the update can end with a proof, whatever
   // the classifier has picked.
@@ -171,21 +166,19 @@ public:
     CGAL_precondition(!m_task.has_to_prove || m_open.empty());
     bool is_delaunay = m_task.has_to_prove; // is_proved() tests that the hull turns around once
     m_open.set_planar(false);
-    m_may_take_out = false;
     m_budget.allow((parted_duplicates.size() + m_relocation.number_to_put_in()) *
-                   Repair_budget_2::relocation);
+                   Cost_model_2::relocation);
     std::size_t steps_before = 0;
     const auto most_faces = [&] { return is_delaunay ? most_flips() + 1 : 0; };
     const auto end = [&](Vertex_index v, std::size_t steps, std::size_t faces) {
-      m_budget.spend(Repair_budget_2::relocation / 2 +
-                     Repair_budget_2::step_of_a_walk * (steps - steps_before));
+      m_budget.spend(Cost_model_2::insertion +
+                     Cost_model_2::step_of_a_walk * (steps - steps_before));
       steps_before = steps;
       if (faces > 0)
         spend_on_flips(faces - 1); // so many flips would do the same
       else {
         settle(v);
-        // in the plane false from here on: the hull may turn around twice
-        is_delaunay = is_delaunay && !State::has_hull && m_open.empty();
+        is_delaunay = is_delaunay && m_open.empty();
       }
       return !m_budget.is_spent() && (m_open.empty() || State::can_locate_anywhere);
     };
@@ -205,6 +198,14 @@ public:
   {
     CGAL_precondition(!m_open.empty() || m_relocation.number_waiting() == 0);
     return m_open.empty() && (m_open.faces_tile_hull() || hull_turns_once());
+  }
+
+  // After an exception: puts held vertices at their positions and all vertices into faces, and
+  // cancels the insertions that are left. Throws nothing.
+  void give_up()
+  {
+    m_held.let_go();
+    m_relocation.give_up();
   }
 
   // Gives the numbers of removed vertices to other vertices.
@@ -238,48 +239,73 @@ public:
   const std::vector<Index>& padded() const { return m_padded; }
   const std::vector<Index>& border() const { return m_border; }
 
+  // The price of mending what is open.
+  template <class Price>
+  std::size_t price(const Price& price_of) const
+  {
+    return price_of(m_open.illegal().size(), m_open.uncertain().size());
+  }
+
+  std::size_t price_of_rebuild() const { return Cost_model_2::rebuild(m_state.rebuilt_vertices()); }
+
   // Whether a rebuild is cheaper than mending what was classified plus all insertions and removals.
+  // Where vertices can be held, their number will tell: then only if it surely is.
   bool is_rebuild_cheaper() const
   {
-    return Repair_budget_2::is_rebuild_cheaper(rebuilt_vertices(), m_classified_edges,
-                                               m_task.changes);
+    // where points did not move, only the faces around those that came or went are new
+    const bool are_few_inverted = can_hold() || !m_state.have_points_moved();
+    const std::size_t mending =
+        are_few_inverted ? price(Cost_model_2::least_of_mending) : price(Cost_model_2::mending);
+    return mending + m_task.changes * Cost_model_2::insertion > price_of_rebuild();
   }
 
   // Whether mending alone has cost as much as a rebuild.
-  bool has_cost_a_rebuild() const { return m_budget.has_spent_a_rebuild(rebuilt_vertices()); }
+  bool has_cost_a_rebuild() const { return m_budget.has_spent(price_of_rebuild()); }
 
   // TOOLS, as Dynamic_mender_2 documents them ----------------------------------------------------
 
-  void limit_cost() { m_budget.start(rebuilt_vertices(), m_open.size()); }
+  void limit_cost() { m_budget.start(price_of_rebuild(), m_price_of_mending); }
 
-  void take_out_jumpers()
+  // Whether vertices can be held: it is known where they rest, with all faces counterclockwise.
+  bool can_hold() const
   {
-    if (m_task.jumper != null_index)
-      return take_out_jumper();
-    if (State::jumpers_leave_before_motion)
-      return;
-    // where several neighbors jumped, some are not found until the others are out
-    constexpr unsigned max_rounds = 4;
-    const auto may_others_jump = [this] { return m_relocation.number_waiting() < m_task.movers; };
-    for (unsigned round = 0; round < max_rounds && can_take_out() && may_others_jump(); ++round) {
-      const std::vector<Index>& edges = round == 0 ? m_open.uncertain() : m_open.opened_last();
-      if (edges.empty())
-        return;
-      m_budget.spend(edges.size() * Repair_budget_2::look_for_jumpers);
-      const std::vector<Index>& jumpers = m_jumpers.find_jumpers(edges);
-      // a jumper counts as a point removed and a point inserted, plus half of that for the search
-      if (Repair_budget_2::is_rebuild_cheaper(rebuilt_vertices(), 0,
-                                              m_task.changes + 3 * jumpers.size()))
-        return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
-      if (!take_out(jumpers))
-        return;
-    }
+    return m_task.has_to_prove && m_task.was_certified && m_state.have_points_moved() &&
+           !has_rebuilt();
   }
 
-  // Returns whether any vertex is out.
-  bool take_out_farthest()
+  void hold()
   {
-    return can_take_out() && take_out(m_jumpers.find_farthest(m_open.uncertain()));
+    if (!can_hold() || m_open.empty())
+      return;
+    if (m_task.jumper != null_index)
+      return take_out_jumper();
+    const std::size_t most = most_to_hold();
+    if (!m_held.hold(m_open.uncertain(), most))
+      return rebuild(m_held.size() > most ? Rebuild_reason_2::TOO_MUCH_BROKEN
+                                          : Rebuild_reason_2::STUCK);
+    m_budget.spend(m_held.size() * Cost_model_2::held_vertex);
+    std::vector<Index>& changed = m_around;
+    changed.clear();
+    m_held.append_changed_edges(changed);
+    if (!mend_hull(changed))
+      return rebuild(Rebuild_reason_2::STUCK);
+    m_open.set_planar(true);
+    typename State::Edge_test(m_state).append_unproved(changed, m_open.uncertain());
+  }
+
+  void release()
+  {
+    if (m_held.empty())
+      return;
+    if (!m_open.empty())
+      return rebuild(Rebuild_reason_2::STUCK);
+    constexpr unsigned max_rounds = 12;
+    const auto flip = [this](const std::vector<Index>& edges) { flip_nearby(edges); };
+    for (unsigned round = 0; round < max_rounds && m_held.release(flip); ++round)
+      if (has_rebuilt() || !m_open.empty())
+        break;
+    if (!has_rebuilt() && !(m_open.empty() && take_out_held()))
+      rebuild(m_budget.is_spent() ? Rebuild_reason_2::BUDGET_SPENT : Rebuild_reason_2::STUCK);
   }
 
   void flip()
@@ -295,7 +321,7 @@ public:
     if (has_rebuilt() || m_open.empty())
       return;
     flip_uncertain();
-    // where no splice follows, it costs less to take one vertex out for each edge that is left
+    // where no splice follows, the vertices of the edges that are left are put in anew
     if (State::can_splice && !m_open.uncertain().empty() && !has_rebuilt()) {
       m_open.open_surroundings(m_state);
       flip_uncertain();
@@ -329,8 +355,7 @@ public:
     m_open.for_each_uncertain_vertex(m_state, [&](Vertex_index v) { vertices.push_back(v); });
     constexpr std::size_t max_enlargements = 3; // then padding or taking a vertex out does better
     if constexpr (!State::can_splice) {
-      if (padding > 0 || !put_in_farthest_anew())
-        put_in_anew(vertices, padding);
+      put_in_anew(vertices, padding);
     } else
       splice(vertices, padding, max_enlargements, true);
   }
@@ -345,6 +370,7 @@ public:
 
   void rebuild(Rebuild_reason_2 reason)
   {
+    m_held.let_go();
     if (m_relocation.is_under_way())
       rebuild_with_relocation();
     else
@@ -435,22 +461,7 @@ private:
     m_classification.clear(m_state);
   }
 
-  std::size_t rebuilt_vertices() const
-  {
-    return State::rebuilt_vertices(m_state.number_of_vertices());
-  }
-
   // VERTICES THAT WENT FAR ----------------------------------------------------------------------
-
-  // Takes out the only vertex that has moved, if possible so that all other edges stay Delaunay.
-  void take_out_jumper()
-  {
-    if (can_spare(1) && m_relocation.take_out_of_delaunay(m_task.jumper)) {
-      m_open.clear();
-      m_budget.spend(Repair_budget_2::relocation / 2);
-    } else if (can_take_out())
-      take_out({m_task.jumper});
-  }
 
   // Whether enough vertices remain in faces if so many more are taken out.
   bool can_spare(std::size_t vertices) const
@@ -459,16 +470,11 @@ private:
            m_state.number_of_vertices();
   }
 
-  bool can_take_out() const
-  {
-    return m_may_take_out && m_task.has_to_prove && m_state.have_points_moved() && !has_rebuilt();
-  }
-
   // Takes these vertices out if the budget allows it and enough remain. Skips those whose faces
   // meet images of themselves, like the lowest point of a slab. Returns whether any is out.
   bool take_out(const std::vector<Index>& vertices)
   {
-    if (vertices.empty() || vertices.size() * Repair_budget_2::relocation > m_budget.left() ||
+    if (vertices.empty() || vertices.size() * Cost_model_2::relocation > m_budget.left() ||
         !can_spare(vertices.size()))
       return false;
     const std::size_t price = price_of_taking_out(vertices);
@@ -482,7 +488,7 @@ private:
     for (std::size_t i = 0; i < vertices.size(); ++i) {
       if (i + ahead < vertices.size())
         m_editor.prefetch_around(vertices[i + ahead]);
-      is_any_out |= m_relocation.take_out(vertices[i]);
+      is_any_out |= m_relocation.take_out(vertices[i], m_state.previous_position(vertices[i]));
     }
     m_budget.spend(price);
     m_open.open_new_edges(m_state, first_new);
@@ -499,11 +505,81 @@ private:
       std::size_t price = 0;
       for (std::size_t i = first; i < beyond; ++i) {
         const std::size_t degree = m_state.arrays().degree(vertices[i]);
-        price += Repair_budget_2::relocation / 2 +
-                 Repair_budget_2::flip * (degree - (std::min)(degree, usual_degree));
+        price += Cost_model_2::removal +
+                 Cost_model_2::flip * (degree - (std::min)(degree, usual_degree));
       }
       return price;
     });
+  }
+
+  // HELD VERTICES -------------------------------------------------------------------------------
+
+  // If more vertices have to be held, a rebuild costs less. A few may always be.
+  std::size_t most_to_hold() const
+  {
+    constexpr std::size_t few = 30;
+    const std::size_t others = Cost_model_2::illegal_edge * m_open.illegal().size() +
+                               m_task.changes * Cost_model_2::insertion;
+    const std::size_t rebuild = price_of_rebuild();
+    return few + (rebuild - (std::min)(others, rebuild)) / Cost_model_2::mended_vertex;
+  }
+
+  // Takes out the only vertex that has moved. Where it rests everything is Delaunay.
+  void take_out_jumper()
+  {
+    m_open.clear();
+    m_held.hold_at_rest(m_task.jumper);
+    if (!take_out_held())
+      rebuild(Rebuild_reason_2::STUCK);
+  }
+
+  // Flips edges at infinity until the hull is convex. No face is inverted. `changed` are edges
+  // whose test has changed since the classification. Returns whether the faces tile the hull.
+  bool mend_hull(const std::vector<Index>& changed)
+  {
+    if constexpr (!State::has_hull)
+      return true;
+    m_at_hull.clear();
+    for (const std::vector<Index>* edges : {&std::as_const(m_open).uncertain(), &changed})
+      for (const Edge_index e : *edges)
+        if (m_state.is_at_infinity(e))
+          m_at_hull.push_back(e);
+    if (!m_at_hull.empty())
+      note_flips(m_lawson.run(m_state, m_editor, m_at_hull, false, most_flips()));
+    return m_at_hull.empty() && hull_turns_once();
+  }
+
+  // Flips from edges around a held vertex, and opens those that it cannot prove.
+  void flip_nearby(const std::vector<Index>& edges)
+  {
+    m_unproved.clear();
+    typename State::Edge_test(m_state).append_unproved(edges, m_unproved);
+    if (m_unproved.empty())
+      return;
+    note_flips(m_lawson.run_nearby(m_state, m_editor, m_unproved, most_flips()));
+    m_open.uncertain().insert(m_open.uncertain().end(), m_unproved.begin(), m_unproved.end());
+  }
+
+  // Takes out the vertices that are still held, from a Delaunay triangulation. They are put in at
+  // their targets later.
+  bool take_out_held()
+  {
+    return m_held.take_out_rest([this](Vertex_index v) {
+      m_budget.spend(Cost_model_2::removal);
+      return can_spare(1) && (m_relocation.take_out_of_delaunay(v) || take_out_of_hull(v));
+    });
+  }
+
+  // Takes out a vertex on the hull, or of high degree, and flips around.
+  bool take_out_of_hull(Vertex_index v)
+  {
+    const std::size_t first_new = m_state.changes().new_edges.size();
+    if (!m_relocation.take_out(v, m_state.positions()[v]))
+      return false;
+    m_open.open_new_edges(m_state, first_new);
+    note_flips(m_lawson.run(m_state, m_editor, m_open.uncertain(), false, most_flips()));
+    m_open.set_planar(m_open.empty() && hull_turns_once());
+    return m_open.faces_tile_hull();
   }
 
   // FLIPS ---------------------------------------------------------------------------------------
@@ -518,10 +594,15 @@ private:
       m_editor.note_examined(edges);
     const std::size_t flips =
         m_lawson.run(m_state, m_editor, edges, m_open.faces_tile_hull(), most_flips());
-    m_report->flips += flips;
-    m_budget.spend(flips * Repair_budget_2::flip);
+    note_flips(flips);
     if (m_budget.is_spent())
       rebuild(Rebuild_reason_2::BUDGET_SPENT);
+  }
+
+  void note_flips(std::size_t flips)
+  {
+    m_report->flips += flips;
+    m_budget.spend(flips * Cost_model_2::flip);
   }
 
   // Flips around a vertex that was put in.
@@ -537,13 +618,13 @@ private:
     m_open.uncertain().insert(m_open.uncertain().end(), m_around.begin(), m_around.end());
   }
 
-  std::size_t most_flips() const { return m_budget.left() / Repair_budget_2::flip + 1; }
+  std::size_t most_flips() const { return m_budget.left() / Cost_model_2::flip + 1; }
 
   // The price of putting a vertex in includes the first flips.
   void spend_on_flips(std::size_t flips)
   {
     constexpr std::size_t few = 8;
-    m_budget.spend(flips > few ? (flips - few) * Repair_budget_2::flip : 0);
+    m_budget.spend(flips > few ? (flips - few) * Cost_model_2::flip : 0);
   }
 
   // SPLICES -------------------------------------------------------------------------------------
@@ -557,10 +638,10 @@ private:
       return false;
     m_open.set_planar(false);
     m_task.hull_stays = false;
-    const std::size_t most = m_budget.left() / Repair_budget_2::spliced_vertex;
+    const std::size_t most = m_budget.left() / Cost_model_2::spliced_vertex;
     Splice_limits_2 limits{max_enlargements, most};
     const Splice_result_2 result = m_splice.run(m_editor, vertices, padding, limits);
-    m_budget.spend((most - limits.max_vertices) * Repair_budget_2::spliced_vertex);
+    m_budget.spend((most - limits.max_vertices) * Cost_model_2::spliced_vertex);
     m_report->enlargements += limits.enlargements;
     switch (result) {
     case Splice_result_2::TOO_LARGE:
@@ -600,9 +681,9 @@ private:
     make_distinct(candidates);
     const std::size_t first_new = m_state.changes().new_edges.size();
     const std::size_t merged =
-        m_relocation.merge(candidates, m_budget.left() / Repair_budget_2::relocation);
+        m_relocation.merge(candidates, m_budget.left() / Cost_model_2::relocation);
     m_report->merged += merged;
-    m_budget.spend(merged * Repair_budget_2::relocation);
+    m_budget.spend(merged * Cost_model_2::relocation);
     m_open.open_new_edges(m_state, first_new);
     m_open.reopen(m_state, {});
     if (merged == 0 || m_budget.is_spent())
@@ -632,15 +713,6 @@ private:
       m_open.clear();
   }
 
-  // Takes out each uncertain edge's vertex that moved farthest, then flips. True if any is out.
-  bool put_in_farthest_anew()
-  {
-    const bool are_out = take_out_farthest();
-    if (are_out)
-      flip_inverted();
-    return are_out;
-  }
-
   // Takes the vertices of a region out, to be put in again after the repair, and flips around. Then
   // a proof is always required, because vertices can be located only where all is proved.
   void put_in_anew(const std::vector<Index>& vertices, unsigned padding)
@@ -658,7 +730,7 @@ private:
     if (!can_spare(region.size()) ||
         m_relocation.number_waiting() + region.size() > max_taken_out())
       return rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
-    m_budget.allow(region.size() * Repair_budget_2::relocation); // limited by max_taken_out()
+    m_budget.allow(region.size() * Cost_model_2::relocation); // limited by max_taken_out()
     if (take_out(region))
       flip();
   }
@@ -685,19 +757,20 @@ private:
   Editor m_editor;
   Builder m_builder;
   Relocation m_relocation;
-  Jumper_search_2<State> m_jumpers;
+  Held_vertices_2<State> m_held;
   Lawson_flips_2 m_lawson;
   typename State::Splice m_splice;
   Classification m_classification;
   Open_edges_2 m_open;
   Repair_budget_2 m_budget;
-  std::vector<Index> m_around; // edges around a vertex that was put in
+  std::vector<Index> m_around;   // edges around a vertex that was put in, or around held ones
+  std::vector<Index> m_at_hull;  // edges at infinity
+  std::vector<Index> m_unproved; // around the vertex that has moved last
   std::vector<Index> m_padded, m_border;
   Update_report_2* m_report = nullptr;
-  Task m_task{};              // a splice clears hull_stays
-  bool m_is_exact = true;     // whether the classifier is exact
-  bool m_may_take_out = true; // until vertices are put in
-  std::size_t m_classified_edges = 0;
+  Task m_task{};          // a splice clears hull_stays
+  bool m_is_exact = true; // whether the classifier is exact
+  std::size_t m_classified_edges = 0, m_price_of_mending = 0;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -13,16 +13,16 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_costs_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_tools_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_choices_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Dynamic_mender_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_and_splice_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Hold_and_flip_repair_2.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -41,6 +41,8 @@ class Update_2
   using Change = Change_2<Point>;
 
 public:
+  using Choices = Update_choices_2<State>;
+
   explicit Update_2(State& state)
     : m_state(state)
     , m_tools(state)
@@ -77,9 +79,8 @@ public:
   // Runs an update. Moves the points to insert out of `change`, as there might be no memory for
   // copies. Takes a frame back if the policy or the classifier throws. At the end, tells the
   // classifier of what is new.
-  template <class Input, class Classifier, class Repair, class Policy>
-  Update_report_2 run(Change& change, Input& input, Classifier& classifier, Repair& repair,
-                      Policy& policy);
+  template <class Input>
+  Update_report_2 run(Change& change, Input& input, const Choices& choices);
 
   // To be called at the beginning of a call, before anything changes.
   void enter()
@@ -92,15 +93,14 @@ public:
 
   // Whether the triangulation is Delaunay; changes only the certified flag, and edges across the
   // gap beside a slab, which are not listed.
-  template <class Classifier>
-  bool certify(Classifier& classifier)
+  bool certify(const Choices& choices)
   {
     if (m_is_certified || !m_state.spans_plane() || !parted_duplicates().empty())
       return m_is_certified;
     const Certificate_2<State> certificate(m_state);
     m_is_certified = certificate.holds();
     if constexpr (State::is_periodic)
-      m_is_certified = m_is_certified || (mend_gap(classifier) && certificate.holds());
+      m_is_certified = m_is_certified || (mend_gap(choices) && certificate.holds());
     return m_is_certified;
   }
 
@@ -118,13 +118,12 @@ public:
 private:
   // PHASES --------------------------------------------------------------------------------------
 
-  template <class Input, class Classifier, class Repair, class Policy>
-  Update_report_2 run_phases(Change& change, Input& input, Classifier& classifier, Repair& repair,
-                             Policy& policy)
+  template <class Input>
+  Update_report_2 run_phases(Change& change, Input& input, const Choices& choices)
   {
     Update_report_2 report;
     const bool was_certified = std::exchange(m_is_certified, false);
-    if (change.is_empty() && !(Classifier::is_exact && m_state.spans_plane())) {
+    if (change.is_empty() && !(choices.is_exact() && m_state.spans_plane())) {
       m_is_certified = was_certified;
       return report;
     }
@@ -133,23 +132,18 @@ private:
     try {
       report.inserted = change.coming.size();
       report.removed = change.gone.size();
-      m_tools.start(report, Classifier::is_exact);
+      m_tools.start(report, choices.is_exact());
       if (change.is_frame) {
-        if (was_certified && Classifier::is_exact)
-          m_tools.take_out_before_motion(find_jumpers(input, change.gone));
         input.accept(); // throws nothing
         is_accepted = true;
       }
       m_tools.editor().move(change.moved, change.moved_points, change.are_exact);
-      constexpr bool may_sample =
-          Classifier::is_exact && std::is_base_of_v<Flip_and_splice_repair_2, Repair>;
-      reason = reason_to_rebuild(change, policy, may_sample);
+      reason = reason_to_rebuild(change, choices);
       if (reason == Rebuild_reason_2::NONE)
-        classify(change, classifier, was_certified);
+        classify(change, choices, was_certified);
     } catch (...) {
       if (is_accepted)
         input.take_back();
-      m_tools.put_back();
       m_is_certified = was_certified && change.moved.empty();
       throw;
     }
@@ -165,38 +159,43 @@ private:
       return report;
     }
     if (change.has_population()) {
-      if (!m_tools.remove(change.gone)) {
+      if (!remove(change.gone, change.is_frame, input)) {
         rebuild(change, Rebuild_reason_2::STUCK, report);
         return report;
       }
       m_tools.relocation().announce(change.coming, change.coming_points);
     }
     m_has_removed = true;
-    mend(change, repair);
+    mend(change, choices);
     prove_before_points_come(report);
     put_in(report);
     prove(change, report);
     return report;
   }
 
-  // Returns the vertices that will jump, except those of points to remove.
+  // Removes points from a frame: where the others rest, if that is known, because there everything
+  // is Delaunay. False if some of them are left.
   template <class Input>
-  std::vector<Index> find_jumpers(const Input& input, std::vector<Index> gone) const
+  bool remove(const std::vector<Index>& ids, bool is_frame, Input& input)
   {
-    std::vector<Index> jumpers = input.find_jumpers(m_tools.max_taken_out() + gone.size());
-    std::sort(gone.begin(), gone.end());
-    const auto is_gone = [&](Vertex_index v) {
-      return std::binary_search(gone.begin(), gone.end(), m_state.ids().representative(v));
-    };
-    jumpers.erase(std::remove_if(jumpers.begin(), jumpers.end(), is_gone), jumpers.end());
-    return jumpers;
+    if (!is_frame || !m_tools.can_hold())
+      return m_tools.remove(ids);
+    input.take_back();
+    bool are_gone = false;
+    try {
+      are_gone = m_tools.remove_before_motion(ids);
+    } catch (...) {
+      input.accept();
+      throw;
+    }
+    input.accept();
+    return are_gone && m_tools.remove(ids);
   }
 
   // TO REBUILD OR NOT ---------------------------------------------------------------------------
 
   // Returns why to rebuild, or `NONE`. Decides before any work that a rebuild would discard.
-  template <class Policy>
-  Rebuild_reason_2 reason_to_rebuild(const Change& change, Policy& policy, bool may_sample)
+  Rebuild_reason_2 reason_to_rebuild(const Change& change, const Choices& choices)
   {
     if (!m_state.spans_plane() || leaves_too_few(change))
       return Rebuild_reason_2::DIMENSION;
@@ -204,9 +203,9 @@ private:
     if (are_too_many(change.gone.size() + change.coming.size() + parted))
       return parted > change.gone.size() + change.coming.size() ? Rebuild_reason_2::COINCIDENCE
                                                                 : Rebuild_reason_2::POPULATION;
-    if (change.is_frame && policy.wants_rebuild(Frame(m_state)))
+    if (change.is_frame && choices.wants_rebuild(Frame(m_state)))
       return Rebuild_reason_2::POLICY;
-    if (change.is_frame && may_sample && is_sample_hopeless()) {
+    if (change.is_frame && choices.may_sample() && is_sample_hopeless()) {
       m_experience.record_not_tried();
       return Rebuild_reason_2::TOO_MUCH_BROKEN;
     }
@@ -222,18 +221,18 @@ private:
     return m_state.number_of_vertices() < State::min_vertices + representatives;
   }
 
-  // The cost of each change includes a search through all duplicates.
+  // Each change takes, besides, a search through all duplicates.
   bool are_too_many(std::size_t changes) const
   {
+    constexpr std::size_t compared_at_the_price_of_a_change = 512;
     const std::size_t duplicates = m_state.ids().duplicates().size();
-    return changes > 0 && Repair_budget_2::is_rebuild_cheaper(
-                              State::rebuilt_vertices(m_state.number_of_vertices() + duplicates), 0,
-                              changes + changes * duplicates / 512);
+    const std::size_t searches = changes * duplicates / compared_at_the_price_of_a_change;
+    return changes > 0 && (changes + searches) * Cost_model_2::insertion >
+                              m_tools.price_of_rebuild() + Cost_model_2::rebuild(duplicates);
   }
 
   // Samples edges, to avoid a useless classification: many edges if mending was in vain lately, or
-  // if half of the very few edges that are sampled in every frame are broken. Only for the default
-  // repair, because any other repair is called whatever is broken.
+  // if half of the very few edges that are sampled in every frame are broken.
   bool is_sample_hopeless() const
   {
     constexpr std::size_t very_few = 8, least = 128, most = 1024;
@@ -251,10 +250,11 @@ private:
       return false;
     const std::size_t size = (std::min)((std::max)(edges / 16, least), most);
     const Sample many = sample(frame, size, is_not_delaunay);
-    // a quarter more than necessary, because a sample may be wrong
+    // Two of five broken edges are uncertain where mending costs as much as a rebuild. A quarter
+    // more than necessary, because a sample may be wrong.
+    const std::size_t broken = edges * many.broken / many.size * 4 / 5;
     return m_experience.is_hopeless(many.size, many.broken) ||
-           Repair_budget_2::is_rebuild_cheaper(State::rebuilt_vertices(frame.number_of_vertices()),
-                                               edges * many.broken / many.size * 4 / 5);
+           Cost_model_2::mending(broken * 3 / 5, broken * 2 / 5) > m_tools.price_of_rebuild();
   }
 
   struct Sample
@@ -298,18 +298,17 @@ private:
   // The user's classifier is called for whole frames only. Otherwise exact predicates decide: at
   // all edges if these are uncertified and a proof is required, otherwise around the moved points.
   // Where points can be located only if all is Delaunay, a proof is always required.
-  template <class Classifier>
-  void classify(const Change& change, Classifier& classifier, bool was_certified)
+  void classify(const Change& change, const Choices& choices, bool was_certified)
   {
     typename Tools::Task task;
     task.was_certified = was_certified;
     task.changes = change.gone.size() + change.coming.size();
     task.movers = m_state.number_of_vertices();
     if (change.is_frame) {
-      task.has_to_prove = Classifier::is_exact;
-      classifier(Frame(m_state), m_tools.classification());
+      task.has_to_prove = choices.is_exact();
+      choices.classify(Frame(m_state), m_tools.classification());
     } else if (change.is_mending ||
-               ((Classifier::is_exact || !State::can_locate_anywhere) && !was_certified)) {
+               ((choices.is_exact() || !State::can_locate_anywhere) && !was_certified)) {
       task.has_to_prove = true;
       Circumcircle_classifier_2()(Frame(m_state), m_tools.classification());
     } else {
@@ -360,17 +359,17 @@ private:
 
   // MENDING -------------------------------------------------------------------------------------
 
-  template <class Repair>
-  void mend(const Change& change, Repair& repair)
+  void mend(const Change& change, const Choices& choices)
   {
     Mender mender(m_tools);
     const bool is_nothing_open = m_tools.open_edges().empty();
     if (!change.is_frame && is_nothing_open)
       m_tools.limit_cost(); // the cost of putting vertices in
     else if (!change.is_frame)
-      Flip_and_splice_repair_2()(mender);
+      Hold_and_flip_repair_2()(mender);
     else if (!is_nothing_open || !m_tools.classification().empty())
-      repair(mender);
+      choices.mend(mender);
+    m_tools.release(); // what a repair of the user's may have left held
   }
 
   // Mends everything before points are put in, where they can be located only if all is Delaunay.
@@ -381,7 +380,7 @@ private:
       return;
     m_tools.examine_everything();
     Mender mender(m_tools);
-    Flip_and_splice_repair_2().mend(mender);
+    Hold_and_flip_repair_2().mend(mender);
   }
 
   // Puts in vertices outside of faces, new points and parted duplicates, and mends around them.
@@ -395,7 +394,7 @@ private:
       m_tools.put_in(parted);
       Mender mender(m_tools);
       if (!mender.is_done())
-        Flip_and_splice_repair_2().mend(mender);
+        Hold_and_flip_repair_2().mend(mender);
     }
   }
 
@@ -414,8 +413,7 @@ private:
   }
 
   // Flips what can be flipped across the gap beside a slab. False if there is nothing to flip.
-  template <class Classifier>
-  bool mend_gap(Classifier& classifier)
+  bool mend_gap(const Choices& choices)
   {
     std::vector<Index> edges;
     if (m_state.torus().cell().is_slab())
@@ -425,7 +423,7 @@ private:
     m_tools.editor().begin_changes(std::exchange(m_is_classifier_informed, false));
     m_tools.flip_across_gap(edges);
     m_tools.editor().end_changes();
-    inform_classifier(classifier, Frame(m_state));
+    choices.inform(Frame(m_state));
     m_is_classifier_informed = true;
     return true;
   }
@@ -435,7 +433,7 @@ private:
     const std::size_t open = m_tools.number_of_classified_edges(),
                       edges = m_tools.number_of_edges();
     if (reason == Rebuild_reason_2::TOO_MUCH_BROKEN || reason == Rebuild_reason_2::BUDGET_SPENT ||
-        reason == Rebuild_reason_2::STUCK || m_tools.has_cost_a_rebuild())
+        m_tools.has_cost_a_rebuild())
       m_experience.record_failure(open, edges);
     else if (reason == Rebuild_reason_2::NONE)
       m_experience.record_success(open, edges);
@@ -453,19 +451,18 @@ private:
 // Defined outside of the class, so that it is not inline: where it is declared extern, compilers
 // leave out all that it calls, which is most of the package (`compiled_updates.h`).
 template <class State>
-template <class Input, class Classifier, class Repair, class Policy>
-Update_report_2 Update_2<State>::run(Change& change, Input& input, Classifier& classifier,
-                                     Repair& repair, Policy& policy)
+template <class Input>
+Update_report_2 Update_2<State>::run(Change& change, Input& input, const Choices& choices)
 {
   Update_report_2 report;
   try {
-    report = run_phases(change, input, classifier, repair, policy);
+    report = run_phases(change, input, choices);
   } catch (...) {
-    m_tools.relocation().give_up(); // puts all vertices into faces
+    m_tools.give_up();
     throw;
   }
   m_tools.relocation().give_up();
-  inform_classifier(classifier, Frame(m_state));
+  choices.inform(Frame(m_state));
   m_is_classifier_informed = true;
   return report;
 }

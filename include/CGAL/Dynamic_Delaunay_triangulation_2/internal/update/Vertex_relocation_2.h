@@ -86,13 +86,13 @@ public:
 
   // OUT -----------------------------------------------------------------------------------------
 
-  // Takes v out, to be put in again at its present position. False, with nothing done, if its faces
-  // cannot be replaced: in a torus of few vertices, and along the sides of a slab, these may meet
-  // images of themselves.
-  bool take_out(Vertex_index v)
+  // Takes v out, to be put in again at its present position; the faces have it at `place`. False,
+  // with nothing done, if its faces cannot be replaced: in a torus of few vertices, and along the
+  // sides of a slab, these may meet images of themselves.
+  bool take_out(Vertex_index v, const Position_2& place)
   {
     reserve_for_slot();
-    const bool can_go = triangulate_anyhow_without(v);
+    const bool can_go = triangulate_anyhow_without(v, place);
     if (can_go)
       m_waiting.push_back(m_editor.take_out(m_polygon));
     return can_go;
@@ -120,10 +120,22 @@ public:
     m_editor.reserve_for_removals(ids.size());
     m_rest.clear();
     for (const Point_id id : ids)
-      remove(id, are_delaunay, moved);
+      if (m_state.ids().is_taken(id))
+        remove(id, are_delaunay, moved);
     const auto is_outside = [this](Vertex_index v) { return m_state.arrays().is_outside(v); };
     moved.erase(std::remove_if(moved.begin(), moved.end(), is_outside), moved.end());
     return moved;
+  }
+
+  // Removes the points with these ids that have a vertex of their own, so that everything stays
+  // Delaunay, as it must be. Keeps for remove_rest() the vertices for which it is not known how.
+  void remove_of_delaunay(const std::vector<Index>& ids)
+  {
+    m_editor.reserve_for_removals(ids.size());
+    m_rest.clear();
+    for (const Point_id id : ids)
+      if (m_state.ids().is_representative(id) && find_successor(id) == null_index)
+        remove_vertex(m_state.ids().vertex(id), true);
   }
 
   // Removes the remaining vertices of the last `remove()`. False if one of them cannot go, see
@@ -132,7 +144,7 @@ public:
   {
     for (const Vertex_index v : m_rest) {
       reserve_for_slot();
-      if (!triangulate_anyhow_without(v))
+      if (!triangulate_anyhow_without(v, m_state.previous_position(v)))
         return false;
       m_empty.push_back(m_editor.remove(m_polygon));
     }
@@ -162,7 +174,7 @@ public:
         std::swap(stays, goes);
       reserve_for_slot();
       const Point p = m_state.point(goes);
-      triangulate_anyhow_without(goes);
+      triangulate_anyhow_without(goes, m_state.previous_position(goes));
       m_empty.push_back(m_editor.merge(m_polygon, stays, p));
     }
     return pairs.size();
@@ -256,12 +268,12 @@ private:
     return can_go && m_polygon.triangulate_as_delaunay(m_state);
   }
 
-  // Triangulates the polygon around v, with v at its previous position, as the faces have it.
-  bool triangulate_anyhow_without(Vertex_index v)
+  // Triangulates the polygon around v; the faces have v at `place`.
+  bool triangulate_anyhow_without(Vertex_index v, const Position_2& place)
   {
     if (!m_polygon.read(m_state, v) || (State::is_periodic && !m_polygon.has_different_vertices()))
       return false;
-    m_polygon.triangulate_anyhow(m_state, m_state.previous_position(v));
+    m_polygon.triangulate_anyhow(m_state, place);
     return true;
   }
 
@@ -270,7 +282,7 @@ private:
     const auto& ids = m_state.ids();
     const Vertex_index v = ids.vertex(id);
     if (ids.is_representative(id)) {
-      const Index successor = ids.find_duplicate_at(v, [](const auto&) { return true; });
+      const Index successor = find_successor(id);
       if (successor == null_index)
         return remove_vertex(v, are_delaunay);
       const Point place = m_state.point(v);
@@ -279,6 +291,13 @@ private:
       m_editor.exchange_representative(successor, v, place);
     }
     m_editor.remove_duplicate(id);
+  }
+
+  // A duplicate that can take the vertex of this point, or `null_index`.
+  Index find_successor(Point_id id) const
+  {
+    const auto& ids = m_state.ids();
+    return ids.find_duplicate_at(ids.vertex(id), [](const auto&) { return true; });
   }
 
   // Removes v if that is known to leave everything Delaunay, otherwise lists v for remove_rest().

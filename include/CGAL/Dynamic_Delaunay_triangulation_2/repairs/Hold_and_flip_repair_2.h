@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_FLIP_AND_SPLICE_REPAIR_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_FLIP_AND_SPLICE_REPAIR_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_HOLD_AND_FLIP_REPAIR_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_HOLD_AND_FLIP_REPAIR_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -14,18 +14,24 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Repairs
 
 The default for exact classifiers. If so much is classified that mending would cost more than a
-rebuild, it rebuilds at once. Otherwise it takes out the vertices that moved far, flips edges, and
-splices around the edges that flips cannot repair. It rebuilds if edges are still open after that,
-or if the limit of cost is reached. So no edge stays open, not even with a heuristic classifier.
+rebuild, it rebuilds at once. Otherwise it holds, flips and releases: vertices that would turn a
+face over are held back, so that flips end with the Delaunay triangulation of the positions as they
+stand; then the held vertices move on, and those that cannot arrive are taken out and inserted where
+they belong (\ref DynamicDelaunayTriangulation2HoldFlipRelease).
+
+Where it is not known how the points have moved, as after a frame of a heuristic classifier, it
+flips edges, and splices around the edges that flips cannot repair. It rebuilds if edges are still
+open after that, or if the limit of cost is reached. So no edge stays open, not even with a
+heuristic classifier.
 
 \cgalModels{DelaunayRepair_2}
 */
-class Flip_and_splice_repair_2
+class Hold_and_flip_repair_2
 {
 public:
   /// \param padding the number of padding layers of the second splice, which follows if the first
   ///   one, without padding, leaves edges open. Each further splice has one more layer.
-  explicit Flip_and_splice_repair_2(unsigned padding = 1)
+  explicit Hold_and_flip_repair_2(unsigned padding = 1)
     : m_padding(padding)
   {
   }
@@ -40,8 +46,11 @@ public:
     if (mender.is_rebuild_cheaper())
       return mender.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
     mender.limit_cost();
-    mender.take_out_jumpers();
-    mend(mender);
+    if (!mender.can_hold())
+      return mend(mender);
+    mender.hold();
+    mender.flip();
+    mender.release();
   }
 
   /// flips and splices, however much is classified; rebuilds if edges are open in the end.
@@ -53,10 +62,6 @@ public:
     for (unsigned round = 0; round < rounds && mender.has_inverted_edges(); ++round) {
       mender.splice_inverted(layers(round));
       mender.flip_inverted();
-      if (round == 0 && mender.has_inverted_edges()) {
-        mender.take_out_farthest();
-        mender.flip_inverted();
-      }
     }
     mender.flip();
     for (unsigned round = 0; round < rounds && !mender.is_done(); ++round) {
@@ -76,4 +81,4 @@ private:
 
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_FLIP_AND_SPLICE_REPAIR_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_REPAIRS_HOLD_AND_FLIP_REPAIR_2_H
