@@ -44,7 +44,7 @@ public:
 
   /*!
   (optional) the repair that an update uses by default. Without this type it is
-  `CGAL::Flip_and_splice_repair_2` if the classifier is exact, and `CGAL::Border_splice_repair_2` if
+  `CGAL::Hold_and_flip_repair_2` if the classifier is exact, and `CGAL::Border_splice_repair_2` if
   it is heuristic.
   */
   using Usual_repair = unspecified_type;
@@ -53,7 +53,7 @@ public:
   classifies. It is called once in every frame in which the points span the plane, unless the
   triangulation is rebuilt before. That happens if many points are inserted or removed, if many
   coincident points separate, if the update policy wants it, or, with an exact classifier and
-  `CGAL::Flip_and_splice_repair_2` as the repair, if a sample of the edges shows that too much is
+  `CGAL::Hold_and_flip_repair_2` as the repair, if a sample of the edges shows that too much is
   broken. It is not called by `insert()`, `remove()` and `move()`.
 
   If it throws, the update changes nothing and rethrows the exception.

@@ -13,12 +13,17 @@ The cost of all tools of an update is limited: by that of two rebuilds, or less 
 `CGAL::Dynamic_mender_2::limit_cost()`. When it is spent, everything is rebuilt. If the classifier
 is exact and the repair leaves edges open, the triangulation is rebuilt after it.
 
+Where `CGAL::Dynamic_mender_2::can_hold()` is true, a repair may hold vertices back so that no face
+is inverted. Flips then close all edges. A repair that calls `CGAL::Dynamic_mender_2::hold()` has to
+call `CGAL::Dynamic_mender_2::flip()` and then `CGAL::Dynamic_mender_2::release()`, which lets the
+held vertices move on to their positions.
+
 After the repair the update inserts the vertices that the repair took out of their faces, coincident
-points that separate, and new points. `CGAL::Flip_and_splice_repair_2` repairs what that breaks,
+points that separate, and new points. `CGAL::Hold_and_flip_repair_2` repairs what that breaks,
 whatever the repair is, and also what `insert()`, `remove()` and `move()` break.
 
 \cgalHasModelsBegin
-\cgalHasModels{CGAL::Flip_and_splice_repair_2}
+\cgalHasModels{CGAL::Hold_and_flip_repair_2}
 \cgalHasModels{CGAL::Border_splice_repair_2}
 \cgalHasModels{CGAL::Flip_repair_2}
 \cgalHasModels{CGAL::Relocation_repair_2}

@@ -18,8 +18,10 @@ Between these two
 - a visitor may read faces and vertices around those that it is called for, but not all of `tds()`,
   which may contain faces and vertices that are about to be written or deleted;
 - vertices that move, in `update()` and in `move()`, have their new points already, in faces that
-  may be inverted by that. So face areas, circumcenters and the like are best computed in
-  `after_update()`;
+  may be inverted by that. There are two exceptions. While points of the same frame are removed, all
+  others may be where they were before. And a vertex that the repair holds back has a point in
+  between, until it moves on or is put in. So face areas, circumcenters and the like are best
+  computed in `after_update()`;
 - the handles that a function gets are valid until the next one is called: a rebuild, an insertion
   or a removal may give vertices and faces other indices, and handles refer to indices. What a
   visitor wants to remember it keeps under ids, or in data of vertices and faces;
@@ -116,10 +118,10 @@ public:
 
   /*!
   is called when vertex `v`, the vertex of the point with this id, is taken out of its faces because
-  it jumped, and after `before_face_removal()` for these faces. The vertex will be put in elsewhere,
-  and keeps its id and the user's data: `after_face_creation()` is called for its new
-  faces later in the same call. If another vertex is at its new position, `before_vertex_merge()` is
-  called for it instead. A rebuild in between may rewrite all faces.
+  it cannot get to its position through them, and after `before_face_removal()` for these faces. The
+  vertex will be put in elsewhere, and keeps its id and the user's data: `after_face_creation()` is
+  called for its new faces later in the same call. If another vertex is at its new position,
+  `before_vertex_merge()` is called for it instead. A rebuild in between may rewrite all faces.
   */
   template <class Dynamic>
   void before_vertex_relocation(const Dynamic& dt, typename Dynamic::Vertex_handle v,
