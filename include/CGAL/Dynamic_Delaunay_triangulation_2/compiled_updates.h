@@ -29,6 +29,7 @@
 #define CGAL_DYNAMIC_DELAUNAY_HAS_PART(i) 1
 #endif
 
+/// \cond
 namespace CGAL {
 
 #if CGAL_DYNAMIC_DELAUNAY_HAS_PART(1)
@@ -59,6 +60,7 @@ CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(, Parallel_tag);
 #endif
 
 } // namespace CGAL
+/// \endcond
 
 #undef CGAL_DYNAMIC_DELAUNAY_HAS_PART
 
