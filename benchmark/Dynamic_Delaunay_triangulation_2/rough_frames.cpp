@@ -7,7 +7,7 @@
 // however much is broken, and one is rebuilt. Time is that of the thread, in nanoseconds a point;
 // `update` and `worst` are of the first one, `rebuilds` its rebuilt frames in percent, `/rebuild`
 // the median of the ratios in a frame. `open` is the number of edges a point that are not proved
-// after the motion, `held` that of vertices taken out, in percent of all points.
+// after the motion, `out` the vertices that are taken out and put in, in percent of all points.
 //
 // Motion: every point takes a Gaussian step, whose standard deviation is `step` spacings; in the
 // plane, on a torus and in a slab. Population: at rest, `share` of all points leave and as many
@@ -190,7 +190,7 @@ void write_motion(const Options& options)
                        {"rebuilt", 9, 1},
                        {"/rebuild", 9, 2},
                        {"open", 7, 2},
-                       {"held %", 7, 2}});
+                       {"out %", 7, 2}});
   for (const std::string space : {"plane", "torus", "slab"}) {
     for (const std::size_t n : options.points) {
       table.write_head(space + ", " + std::to_string(n) + " points");
