@@ -426,8 +426,10 @@ private:
   {
     double share = move_in_star(held);
     if constexpr (!State::has_hull)
-      for (Index h = edge_into_gap(held.vertex); share == 0 && h != null_index;
-           h = edge_into_gap(held.vertex)) {
+      while (share == 0) {
+        const Index h = edge_into_gap(held.vertex);
+        if (h == null_index)
+          break;
         flip_and_note(h, m_changed);
         share = move_in_star(held);
       }
