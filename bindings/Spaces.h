@@ -120,21 +120,12 @@ std::unique_ptr<Subject> make_by_names(const Classifier& classifier,
                                run::make_policy(run::policy_choice(settings.policy)), settings);
 }
 
-// What a program in C++ has by default, which looks at some edges before it decides how to repair.
+// What a program in C++ has by default.
 template <class Space, class Kinds = All_kinds>
 std::unique_ptr<Subject> make_usual_in(const Settings& settings)
 {
   return make_in<Space, Kinds>(CGAL::Circumcircle_classifier_2(), CGAL::Hold_and_flip_repair_2(),
                                CGAL::Always_dynamic_policy_2(), settings);
-}
-
-// With an exact classifier.
-template <class Space, class Kinds = All_kinds>
-std::unique_ptr<Subject> make_exact_in(const Settings& settings)
-{
-  const run::Classifier_choice choice = run::classifier_choice(settings.classifier);
-  return make_by_names<Space, Kinds>(run::Exact_classifiers::make(choice, {settings.seed}),
-                                     run::usual_repair(choice), settings);
 }
 
 } // namespace bindings

@@ -140,8 +140,7 @@ run::Run_summary run_frames_of(scenario::Motion& motion, const Classifier& class
   return run_all(run, frames, outputs);
 }
 
-template <class Classifier>
-run::Run_summary run_frames(scenario::Motion& motion, const Classifier& classifier,
+run::Run_summary run_frames(scenario::Motion& motion, const run::Any_classifier& classifier,
                             const run::Run_subject& subject, std::size_t frames, Outputs& outputs)
 {
   return motion.cell()
@@ -153,12 +152,8 @@ run::Run_summary run_frames(const run::Run_subject& subject, scenario::Motion& m
                             std::size_t frames, Outputs& outputs)
 {
   const run::Classifier_settings settings{subject.seed.value_or(0)};
-  if (subject.classifier.is_exact) {
-    return run_frames(motion, run::Exact_classifiers::make(subject.classifier, settings), subject,
-                      frames, outputs);
-  }
-  return run_frames(motion, run::All_classifiers::make(subject.classifier, settings), subject,
-                    frames, outputs);
+  return run_frames(motion, run::make_classifier(subject.classifier, settings), subject, frames,
+                    outputs);
 }
 
 std::unique_ptr<scenario::Motion> open(const std::string& path, const run::Run_options& options,

@@ -94,7 +94,8 @@ triangulation is still a valid triangulated sphere with all its vertices.
   `Default` for `Circumcircle_classifier_2`.
 \tparam Repair a model of `DelaunayRepair_2`, which repairs what the classifier found. `Default`
   stands for the classifier's `Usual_repair` if it has one; else for `Hold_and_flip_repair_2` if
-  the classifier is exact, and for `Border_splice_repair_2` if it is not.
+  the classifier is exact, for `Border_splice_repair_2` if it is not, and for
+  `Repair_by_exactness_2` if that is known only while a program runs.
 \tparam Tds an `Indexed_triangulation_data_structure_2` of these traits; `Default` for one without
   data of the user. Data that the user stores in a vertex stay in it. The vertices of a face change;
   a visitor is told when.

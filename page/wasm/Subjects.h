@@ -28,11 +28,9 @@ std::unique_ptr<Subject> make_subject(const Settings& settings);
 
 // Each of them is compiled by itself.
 std::unique_ptr<Subject> make_planar_usual(const Settings& settings);
-std::unique_ptr<Subject> make_planar_exact(const Settings& settings);
-std::unique_ptr<Subject> make_planar_heuristic(const Settings& settings);
+std::unique_ptr<Subject> make_planar_by_names(const Settings& settings);
 std::unique_ptr<Subject> make_periodic_usual(const Settings& settings);
-std::unique_ptr<Subject> make_periodic_exact(const Settings& settings);
-std::unique_ptr<Subject> make_periodic_heuristic(const Settings& settings);
+std::unique_ptr<Subject> make_periodic_by_names(const Settings& settings);
 
 } // namespace page
 

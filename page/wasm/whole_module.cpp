@@ -13,11 +13,7 @@ namespace page {
 
 std::unique_ptr<Subject> make_subject(const Settings& settings)
 {
-  const bool is_exact = run::classifier_choice(settings.classifier).is_exact;
-  if (settings.cell) {
-    return is_exact ? make_periodic_exact(settings) : make_periodic_heuristic(settings);
-  }
-  return is_exact ? make_planar_exact(settings) : make_planar_heuristic(settings);
+  return settings.cell ? make_periodic_by_names(settings) : make_planar_by_names(settings);
 }
 
 // Of which kind of triangulations this module is.

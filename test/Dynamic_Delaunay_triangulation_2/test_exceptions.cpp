@@ -248,8 +248,11 @@ TYPED_TEST(Memory, may_run_out_in_an_update_that_breaks_little_or_everything)
   const Points points = this->cloud.uniform(60);
   Points moved = points;
   this->cloud.shake(moved, 0.06);
+  Points in_steps = points;
+  this->cloud.shake(in_steps, 0.2);
   const Points elsewhere = this->cloud.uniform(60);
-  this->expect_survival_of(points, {this->update(moved), this->update(elsewhere)});
+  this->expect_survival_of(points,
+                           {this->update(moved), this->update(in_steps), this->update(elsewhere)});
 }
 
 TYPED_TEST(Memory, may_run_out_in_an_update_that_numbers_the_vertices_anew)

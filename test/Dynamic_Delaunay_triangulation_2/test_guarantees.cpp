@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Flip_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
 
 #include <array>
 #include <deque>
@@ -253,9 +254,11 @@ TEST(Guarantees, the_classified_set_names_no_vertex_that_a_rebuild_did_away_with
 {
   Cloud<Epick> cloud(15);
   const auto points = cloud.uniform(200);
-  auto elsewhere = points; // if more than a quarter jumped, a sample would decide
+  auto elsewhere = points;
   std::copy(elsewhere.begin(), elsewhere.begin() + 50, elsewhere.begin() + 150);
-  Exact dt(points.begin(), points.end());
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
+                                         CGAL::Rebuild_repair_2>
+      dt(points.begin(), points.end());
   const auto report = dt.update(elsewhere.begin(), elsewhere.end());
   EXPECT_TRUE(report.rebuilt());
   EXPECT_GT(report.classified, 0u);

@@ -89,7 +89,8 @@ public:
 
   void check_certificate(std::size_t frame) const
   {
-    const bool is_promised = Classifier::is_exact || m_report.rebuilt();
+    const bool is_promised =
+        CGAL::is_classifier_exact(m_triangulation.classifier()) || m_report.rebuilt();
     common::require(!is_promised || m_triangulation.is_certified(),
                     common::in_frame(frame) + "the triangulation is not certified");
   }
@@ -189,27 +190,20 @@ void time_again(const Recorded_frames& recording, const Classifier& classifier,
   }
 }
 
-// Calls `use(classifier)`: exact ones and others are different types.
-template <class Use>
-auto with_method(const Method& method, Use use)
+inline run::Any_classifier make_classifier(const Method& method)
 {
-  const run::Classifier_settings settings{method.seed};
-  if (method.classifier.is_exact) {
-    return use(run::Exact_classifiers::make(method.classifier, settings));
-  }
-  return use(run::All_classifiers::make(method.classifier, settings));
+  return run::make_classifier(method.classifier, {method.seed});
 }
 
 inline Classifier_record run_method(const Recorded_frames& recording, const Method& method,
                                     std::size_t passes, std::size_t stride)
 {
-  return with_method(method, [&](const auto& classifier) {
-    Classifier_record record = observe(recording, classifier, method, stride);
-    for (std::size_t pass = 1; pass < passes; ++pass) {
-      time_again(recording, classifier, method, record);
-    }
-    return record;
-  });
+  const run::Any_classifier classifier = make_classifier(method);
+  Classifier_record record = observe(recording, classifier, method, stride);
+  for (std::size_t pass = 1; pass < passes; ++pass) {
+    time_again(recording, classifier, method, record);
+  }
+  return record;
 }
 
 // What a policy took on a recording, with the default classifier and repair.
@@ -224,13 +218,13 @@ struct Policy_record
 inline void run_pass(const Recorded_frames& recording, const std::vector<std::string>& policies,
                      std::mt19937& random, std::vector<Policy_record>& records)
 {
-  using Classifier = run::Exact_classifiers::Classifier;
+  using Classifier = run::Any_classifier;
   std::vector<std::unique_ptr<Observed_subject<Classifier>>> subjects;
   for (const std::string& policy : policies) {
     Method chosen = method("circumcircle");
     chosen.policy = run::policy_choice(policy);
     subjects.push_back(std::make_unique<Observed_subject<Classifier>>(
-        recording.front(), run::Exact_classifiers::make(chosen.classifier, {1}), chosen));
+        recording.front(), make_classifier(chosen), chosen));
     subjects.back()->set_keeps_sets(false);
   }
   for (Policy_record& record : records) {

@@ -8,6 +8,7 @@
 #include "scenario_runner/Motion.h"
 #include "scenario_runner/Static_triangulation.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
 #include <CGAL/enum.h>
 
 #include <cstddef>
@@ -134,7 +135,7 @@ template <class Classifier>
 class Observed_classifier
 {
 public:
-  static constexpr bool is_exact = Classifier::is_exact;
+  bool is_exact() const { return CGAL::is_classifier_exact(m_classifier); }
 
   Observed_classifier(Classifier classifier, Observation& observation)
     : m_classifier(std::move(classifier))

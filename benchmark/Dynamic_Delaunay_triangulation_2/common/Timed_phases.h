@@ -50,8 +50,8 @@ public:
     m_repair = span_of(work);
   }
 
-  // An update that has not come to its classifier is a rebuild, and counts as repair, from its
-  // policy on if that was asked.
+  // An update that has not come to its classifier is a rebuild, or was taken in steps. It counts as
+  // repair, from its policy on if that was asked.
   Phase_times times(double total) const
   {
     Phase_times times;
@@ -148,7 +148,7 @@ public:
   }
 
   template <class Mender>
-  void operator()(Mender& mender) const
+  void operator()(Mender& mender)
   {
     *m_nanoseconds = run::nanoseconds_of([&] { m_repair(mender); });
   }

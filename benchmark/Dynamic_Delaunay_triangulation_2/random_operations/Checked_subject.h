@@ -7,6 +7,7 @@
 #include "Subject.h"
 #include "test/Dynamic_Delaunay_triangulation_2/stamps.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -129,7 +130,7 @@ public:
     const std::vector<std::size_t> ids = checked_ids(points);
     require(dynamic().is_valid(), Fault::WRONG, "is_valid() is false");
     check_vertices(points, ids);
-    require(is_certified() || !Dynamic::Delaunay_classifier::is_exact, Fault::WRONG,
+    require(is_certified() || !CGAL::is_classifier_exact(dynamic().classifier()), Fault::WRONG,
             "not certified, though the classifier is exact");
     if (is_certified()) {
       Fresh_triangulation<Dynamic>(dynamic(), ids).check();

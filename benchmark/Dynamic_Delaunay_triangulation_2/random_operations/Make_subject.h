@@ -79,25 +79,22 @@ struct Steady_velocity
   Vector operator()(std::size_t id) const { return {0.001 * static_cast<double>(id % 7), 0.01}; }
 };
 
-using Exact_classifier = run::Exact_classifiers::Classifier;
 using Predictive_classifier = CGAL::Predictive_point_distance_classifier_2<Steady_velocity>;
-using Heuristic_classifier =
-    run::Any_classifier<run::All_classifiers::Classifier, Predictive_classifier>;
+using Classifier = CGAL::Chosen_classifier_2<run::Any_classifier, Predictive_classifier>;
 
-inline Heuristic_classifier make_heuristic(const Setup& setup)
+inline Classifier make_classifier(const Setup& setup)
 {
   if (setup.is_predictive) {
-    return Heuristic_classifier(
-        Predictive_classifier(Steady_velocity(), *setup.classifier.parameter));
+    return Predictive_classifier(Steady_velocity(), *setup.classifier.parameter);
   }
-  return Heuristic_classifier(run::All_classifiers::make(setup.classifier, {setup.seed}));
+  return run::make_classifier(setup.classifier, {setup.seed});
 }
 
-template <class Kernel, class Classifier>
-std::unique_ptr<Subject> make_subject(const Setup& setup, const Classifier& classifier)
+template <class Kernel>
+std::unique_ptr<Subject> make_subject(const Setup& setup)
 {
   using Its_maker = Maker<Kernel, Classifier>;
-  const Its_maker maker(classifier, setup);
+  const Its_maker maker(make_classifier(setup), setup);
   switch (setup.naming) {
   case Naming::IDS:
     return std::make_unique<Triangulation_subject<Its_maker>>(maker);
@@ -108,15 +105,6 @@ std::unique_ptr<Subject> make_subject(const Setup& setup, const Classifier& clas
   default:
     return std::make_unique<Population_subject<Its_maker, std::uint8_t>>(maker);
   }
-}
-
-template <class Kernel>
-std::unique_ptr<Subject> make_subject(const Setup& setup)
-{
-  if (setup.classifier.is_exact) {
-    return make_subject<Kernel>(setup, run::Exact_classifiers::make(setup.classifier, {0}));
-  }
-  return make_subject<Kernel>(setup, make_heuristic(setup));
 }
 
 inline std::unique_ptr<Subject> make_subject(const Setup& setup)

@@ -45,14 +45,12 @@ void with_run(const Trial& trial, scenario::Motion& motion, Use use)
 {
   Method method = trial.method;
   method.seed = trial.seed;
-  classifiers::with_method(method, [&](const auto& classifier) {
-    using Classifier = std::decay_t<decltype(classifier)>;
-    run::Threads(1).execute([&] {
-      run::Scenario_run<Classifier> run(motion, classifier,
-                                        run::make_repair(method.repair, method.padding),
-                                        CGAL::Static_engines_2(), run::make_policy(method.policy));
-      use(run);
-    });
+  run::Threads(1).execute([&] {
+    run::Scenario_run<run::Any_classifier> run(motion, classifiers::make_classifier(method),
+                                               run::make_repair(method.repair, method.padding),
+                                               CGAL::Static_engines_2(),
+                                               run::make_policy(method.policy));
+    use(run);
   });
 }
 

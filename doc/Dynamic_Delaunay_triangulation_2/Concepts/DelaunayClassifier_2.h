@@ -24,6 +24,7 @@ from frame to frame.
 \cgalHasModels{CGAL::Nearly_delaunay_classifier_2}
 \cgalHasModels{CGAL::Random_classifier_2}
 \cgalHasModels{CGAL::Refined_classifier_2}
+\cgalHasModels{CGAL::Chosen_classifier_2}
 \cgalHasModelsEnd
 */
 class DelaunayClassifier_2
@@ -39,13 +40,16 @@ public:
   Updates with an exact classifier end with the certificate. The claim is not checked: a
   classifier that makes it wrongly breaks the promise of
   `CGAL::Dynamic_Delaunay_triangulation_2::is_certified()`.
+
+  A classifier of which this is known only while a program runs has a constant member function
+  `is_exact()` instead. `CGAL::is_classifier_exact()` asks classifiers of both kinds.
   */
   static constexpr bool is_exact = false;
 
   /*!
   (optional) the repair that an update uses by default. Without this type it is
   `CGAL::Hold_and_flip_repair_2` if the classifier is exact, and `CGAL::Border_splice_repair_2` if
-  it is heuristic.
+  it is heuristic; if `is_exact` is a function, `CGAL::Repair_by_exactness_2`.
   */
   using Usual_repair = unspecified_type;
 
@@ -54,7 +58,9 @@ public:
   triangulation is rebuilt before. That happens if many points are inserted or removed, if many
   coincident points separate, if the update policy wants it, or, with an exact classifier and
   `CGAL::Hold_and_flip_repair_2` as the repair, if a sample of the edges shows that too much is
-  broken. It is not called by `insert()`, `remove()` and `move()`.
+  broken. Where such a sample shows that the frame is better taken in steps,
+  `CGAL::Circumcircle_classifier_2` is called in each of them instead
+  (\ref DynamicDelaunaySubsection_Steps). It is not called by `insert()`, `remove()` and `move()`.
 
   If it throws, the update changes nothing and rethrows the exception.
 
@@ -68,9 +74,9 @@ public:
   void operator()(const Frame& frame, Classification& classified);
 
   /*!
-  (optional) is called with the new topology at the end of every update, after construction, and
-  whenever points were inserted, removed, or moved. When a checkpoint is read it is called on a copy
-  that then replaces the classifier.
+  (optional) is called with the new topology at the end of every update, also if `operator()` was
+  not called in it, after construction, and whenever points were inserted, removed, or moved. When a
+  checkpoint is read it is called on a copy that then replaces the classifier.
 
   Classifiers with data of edges update it here. `CGAL::Dynamic_frame_2::everything_is_new()` says
   whether all numbers of vertices and edges have changed their meaning. Otherwise

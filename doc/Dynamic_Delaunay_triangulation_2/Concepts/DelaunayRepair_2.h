@@ -28,6 +28,8 @@ whatever the repair is, and also what `insert()`, `remove()` and `move()` break.
 \cgalHasModels{CGAL::Flip_repair_2}
 \cgalHasModels{CGAL::Relocation_repair_2}
 \cgalHasModels{CGAL::Rebuild_repair_2}
+\cgalHasModels{CGAL::Repair_by_exactness_2}
+\cgalHasModels{CGAL::Chosen_repair_2}
 \cgalHasModelsEnd
 */
 class DelaunayRepair_2
@@ -35,7 +37,9 @@ class DelaunayRepair_2
 public:
   /*!
   repairs. It is called once in every frame in which something is classified, or in which removed
-  points leave edges open, unless everything is rebuilt before.
+  points leave edges open, unless everything is rebuilt before. `CGAL::Hold_and_flip_repair_2`, and
+  repairs that derive from it, may be called up to four times in a frame: once in each step, if the
+  frame is taken in steps (\ref DynamicDelaunaySubsection_Steps).
 
   If it throws, the positions are the new ones, the data structure is valid, and the triangulation
   is not certified; the exception is rethrown.

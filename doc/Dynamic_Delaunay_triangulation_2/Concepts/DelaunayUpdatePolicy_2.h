@@ -18,6 +18,7 @@ deterministic.
 \cgalHasModels{CGAL::Always_static_policy_2}
 \cgalHasModels{CGAL::Hybrid_policy_2}
 \cgalHasModels{CGAL::Key_frame_policy_2}
+\cgalHasModels{CGAL::Chosen_policy_2}
 \cgalHasModelsEnd
 */
 class DelaunayUpdatePolicy_2

@@ -18,10 +18,11 @@ Between these two
 - a visitor may read faces and vertices around those that it is called for, but not all of `tds()`,
   which may contain faces and vertices that are about to be written or deleted;
 - vertices that move, in `update()` and in `move()`, have their new points already, in faces that
-  may be inverted by that. There are two exceptions. While points of the same frame are removed, all
-  others may be where they were before. And a vertex that the repair holds back has a point in
-  between, until it moves on or is put in. So face areas, circumcenters and the like are best
-  computed in `after_update()`;
+  may be inverted by that. There are three exceptions. While points of the same frame are removed,
+  all others may be where they were before. A vertex that the repair holds back has a point in
+  between, until it moves on or is put in. And where a frame is taken in steps, all vertices have
+  the points where they have stopped, until the last step begins. So face areas, circumcenters and
+  the like are best computed in `after_update()`;
 - the handles that a function gets are valid until the next one is called: a rebuild, an insertion
   or a removal may give vertices and faces other indices, and handles refer to indices. What a
   visitor wants to remember it keeps under ids, or in data of vertices and faces;

@@ -22,6 +22,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Border_splice_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Hold_and_flip_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Repair_by_exactness_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/iterator.h>
@@ -49,12 +50,23 @@ namespace internal {
 template <class Dynamic>
 struct Triangulation_types_2;
 
-// The repair that is used with a classifier if the user chooses none.
-template <class Classifier, class = void>
-struct Usual_repair_2
+// The repair that goes with the exactness of a classifier, which may be known to the object alone.
+template <class Classifier, bool knows_exactness = Knows_exactness<Classifier>::value>
+struct Repair_for_exactness_2
+{
+  using type = Repair_by_exactness_2;
+};
+template <class Classifier>
+struct Repair_for_exactness_2<Classifier, true>
 {
   using type =
       std::conditional_t<Classifier::is_exact, Hold_and_flip_repair_2, Border_splice_repair_2>;
+};
+
+// The repair that is used with a classifier if the user chooses none.
+template <class Classifier, class = void>
+struct Usual_repair_2 : Repair_for_exactness_2<Classifier>
+{
 };
 template <class Classifier>
 struct Usual_repair_2<Classifier, std::void_t<typename Classifier::Usual_repair>>
@@ -519,15 +531,16 @@ public:
   Update_visitor& visitor() { return m_visitor; }
 
   /// the Classified set of the last update, as vertices of `frame()`. Empty after a rebuild that
-  /// preceded classification, and if vertices have changed their numbers since.
+  /// preceded classification, and if vertices have changed their numbers since. Where a
+  /// frame was taken in steps, that of the last step.
   const std::vector<Index>& classified_vertices() const
   {
-    return tools().classification().vertices();
+    return tools().context.classification.vertices();
   }
   /// the Padded set of the last update that spliced around the Classified set.
-  const std::vector<Index>& padded_vertices() const { return tools().padded(); }
+  const std::vector<Index>& padded_vertices() const { return tools().context.padded; }
   /// the Border set of the last update that spliced around the Classified set.
-  const std::vector<Index>& border_vertices() const { return tools().border(); }
+  const std::vector<Index>& border_vertices() const { return tools().context.border; }
 
   /// @}
   /// \name Checkpoints
@@ -609,7 +622,7 @@ public:
     file.finish();
     Delaunay_classifier classifier = m_classifier;
     inform_classifier(classifier, Frame(state));
-    m_core->update.tools().reserve_for_exchange(state);
+    m_core->update.tools().context.builder.reserve_for_exchange(state);
     start_visit();
     m_classifier = std::move(classifier); // from here on only the visitor may throw
     m_core->update.exchange(state, reader.is_certified(), reader.memory());
@@ -731,21 +744,21 @@ private:
 
   std::unique_ptr<Core> empty_core() const
   {
-    return std::make_unique<Core>(Types::space(m_core->state), tools().engines());
+    return std::make_unique<Core>(Types::space(m_core->state), tools().engines);
   }
 
   // Calls `before_update()`; if that throws, nothing has changed yet.
   void start_visit()
   {
     m_visitor.before_update(derived());
-    m_core->update.tools().editor().start_visit(m_visitor, &derived());
+    m_core->update.tools().context.editor.start_visit(m_visitor, &derived());
   }
 
   // Ends the visit after a change. In periodic space the visitor is told of all changes here; in
   // the plane what it threw in between is rethrown.
   void finish_visit(const Update_report_2& report)
   {
-    m_core->update.tools().editor().finish_visit();
+    m_core->update.tools().context.editor.finish_visit();
     m_visitor.after_update(derived(), report);
   }
 

@@ -263,9 +263,49 @@ struct Wants_to_be_informed<
 {
 };
 
+// Whether a type of classifiers tells if they are exact. If not, each object does.
+template <class Classifier, class = void>
+struct Knows_exactness : std::false_type
+{
+};
+template <class Classifier>
+struct Knows_exactness<
+    Classifier,
+    std::enable_if_t<std::is_same_v<std::decay_t<decltype(Classifier::is_exact)>, bool>>>
+  : std::true_type
+{
+};
+
+template <class Classifier, class Frame, class = void>
+struct Has_names_edge : std::false_type
+{
+};
+template <class Classifier, class Frame>
+struct Has_names_edge<Classifier, Frame,
+                      std::void_t<decltype(std::declval<const Classifier&>().names_edge(
+                          std::declval<const Frame&>(), Index()))>> : std::true_type
+{
+};
+
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
 /// \endcond
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Classifiers
+
+returns whether a classifier is exact, where its type may not tell. For classifiers that ask other
+classifiers.
+*/
+template <class Classifier>
+bool is_classifier_exact([[maybe_unused]] const Classifier& classifier)
+{
+  using namespace Dynamic_Delaunay_triangulations_2::internal;
+  if constexpr (Knows_exactness<Classifier>::value)
+    return Classifier::is_exact;
+  else
+    return classifier.is_exact();
+}
 
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers

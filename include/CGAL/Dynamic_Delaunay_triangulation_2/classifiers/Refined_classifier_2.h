@@ -15,6 +15,38 @@
 
 namespace CGAL {
 
+/// \cond
+namespace Dynamic_Delaunay_triangulations_2 {
+namespace internal {
+
+// Whether both of two classifiers are exact, told by the type if both types tell it.
+template <class First, class Second,
+          bool are_known = Knows_exactness<First>::value&& Knows_exactness<Second>::value>
+struct Exactness_of_two_2
+{
+  static constexpr bool is_exact = First::is_exact && Second::is_exact;
+
+  Exactness_of_two_2(const First&, const Second&) {}
+};
+template <class First, class Second>
+class Exactness_of_two_2<First, Second, false>
+{
+public:
+  Exactness_of_two_2(const First& first, const Second& second)
+    : m_is_exact(is_classifier_exact(first) && is_classifier_exact(second))
+  {
+  }
+
+  bool is_exact() const { return m_is_exact; }
+
+private:
+  bool m_is_exact;
+};
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+/// \endcond
+
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Classifiers
 
@@ -39,23 +71,34 @@ classifications in every frame.
 */
 template <class First, class Second>
 class Refined_classifier_2
+  : public Dynamic_Delaunay_triangulations_2::internal::Exactness_of_two_2<First, Second>
 {
 public:
-  /// it misses no edge if neither does.
-  static constexpr bool is_exact = First::is_exact && Second::is_exact;
+#ifdef DOXYGEN_RUNNING
+  /// whether it misses no edge, which is so if neither of the two does; a function if one of these
+  /// is known only while a program runs.
+  static constexpr bool is_exact;
+#endif
 
   /// \param first the classifier whose picks are reduced.
   /// \param second the classifier that has to pick them, too.
   explicit Refined_classifier_2(const First& first = First(), const Second& second = Second())
-    : m_first(first)
+    : Exactness(first, second)
+    , m_first(first)
     , m_second(second)
   {
   }
 
   /// the classifier whose picks are reduced.
-  const First& first() const { return m_first; }
+  const First& first() const
+  {
+    return m_first;
+  }
   /// the classifier that has to pick them, too.
-  const Second& second() const { return m_second; }
+  const Second& second() const
+  {
+    return m_second;
+  }
 
   /// classifies.
   template <class Frame, class Classification>
@@ -65,6 +108,7 @@ public:
     m_first(frame, first);
     if (first.hull_turns_once())
       classified.set_hull_turns_once();
+    using Dynamic_Delaunay_triangulations_2::internal::Has_names_edge;
     if constexpr (Has_names_edge<Second, Frame>::value)
       ask_edge_by_edge(frame, first, classified);
     else
@@ -80,20 +124,10 @@ public:
   }
 
 private:
+  using Exactness = Dynamic_Delaunay_triangulations_2::internal::Exactness_of_two_2<First, Second>;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
   using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
-
-  template <class C, class Frame, class = void>
-  struct Has_names_edge : std::false_type
-  {
-  };
-  template <class C, class Frame>
-  struct Has_names_edge<C, Frame,
-                        std::void_t<decltype(std::declval<const C&>().names_edge(
-                            std::declval<const Frame&>(), Index()))>> : std::true_type
-  {
-  };
 
   // Asks a second classifier that has names_edge(), and so names edges only.
   template <class Frame, class Classification>
@@ -132,7 +166,7 @@ private:
     keep_named(
         frame, second, first, [](Index) { return false; },
         classified); // edges that both name are in already
-    if constexpr (is_exact)
+    if (is_classifier_exact(*this))
       keep_of_opposite_ends(frame, first, second, classified);
     if (second.hull_turns_once())
       classified.set_hull_turns_once();

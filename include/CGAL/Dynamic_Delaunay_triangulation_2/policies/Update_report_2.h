@@ -34,7 +34,8 @@ What one update did. Equal input and settings give equal reports.
 */
 struct Update_report_2
 {
-  /// vertices that the classifier picked.
+  /// vertices that the classifier picked; where a frame was taken in steps
+  /// (`Hold_and_flip_repair_2`), those of the last step.
   std::size_t classified = 0;
   /// vertices in the layers of padding around the classified ones (border splice only).
   std::size_t padded = 0;

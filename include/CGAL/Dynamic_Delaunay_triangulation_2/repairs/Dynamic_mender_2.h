@@ -27,9 +27,9 @@ triangulation, for the reason `Rebuild_reason_2::BUDGET_SPENT`. After a rebuild 
 tools do nothing.
 
 In periodic space splices work otherwise. `splice_classified()` flips the edges around the
-classified and padded vertices. `splice_open()`, `splice_inverted()` and `relocate()` take the
-vertices of a region out, and insert them anew after the repair. With a heuristic classifier these
-three examine all edges first, since points can be inserted only if all edges are proved.
+classified and padded vertices. `splice_open()` and `relocate()` take the vertices of a region out,
+and insert them anew after the repair. With a heuristic classifier these two examine all edges
+first, since points can be inserted only if all edges are proved.
 
 \tparam Repair_tools an internal type.
 */
@@ -53,20 +53,17 @@ public:
   /// the classification.
   const typename Repair_tools::Classification& classification() const
   {
-    return static_cast<const Repair_tools&>(m_tools).classification();
+    return m_tools.context.classification;
   }
   /// whether the update has to end with a proof, that is, the classifier is exact. If so, and if
   /// the repair leaves edges open, the triangulation is rebuilt after the repair.
   bool has_to_prove() const;
   /// the number of open edges.
   std::size_t number_of_open_edges() const;
-  /// whether any open edge may have inverted faces, that is, its faces are not known to be
-  /// counterclockwise.
-  bool has_inverted_edges() const;
   /// the number of all edges.
   std::size_t number_of_edges() const;
   /// whether no work is left: no edge is open, or the triangulation was rebuilt.
-  bool is_done() const { return number_of_open_edges() == 0 || m_tools.has_rebuilt(); }
+  bool is_done() const { return number_of_open_edges() == 0 || m_tools.context.has_rebuilt(); }
   /// whether a rebuild is expected to cost less than mending all that was classified, and inserting
   /// and removing the points of the same update.
   bool is_rebuild_cheaper() const;
@@ -105,11 +102,6 @@ public:
   /// repair stay open: flips can get stuck at inverted faces.
   void flip();
 
-  /// flips as `flip()` does, but only open edges that may have inverted faces, and edges around
-  /// them; the others stay open. If no edge with inverted faces is left, the faces tile the convex
-  /// hull. Later flips are then cheaper: they cannot double an edge, so this is not tested.
-  void flip_inverted();
-
   /// splices around the classified vertices with `padding` layers. With a heuristic classifier all
   /// edges count as closed afterwards, whether they were tested or not. Rebuilds if a region holds
   /// more than half of the vertices, also after it was enlarged. With a heuristic classifier it
@@ -122,9 +114,6 @@ public:
   /// prove stay open, also around a region that would have to be enlarged too often. Rebuilds in
   /// the same cases as `splice_classified()`.
   void splice_open(unsigned padding);
-
-  /// splices as `splice_open()` does, but only around open edges that may have inverted faces.
-  void splice_inverted(unsigned padding);
 
   /// lets CGAL's `move_if_no_collision()` move one vertex after the other from its position one
   /// frame ago to the current one, in a copy, and takes over the result. Rebuilds if the
@@ -148,82 +137,67 @@ private:
 template <class Repair_tools>
 bool Dynamic_mender_2<Repair_tools>::has_to_prove() const
 {
-  return m_tools.has_to_prove();
+  return m_tools.context.proof.is_required();
 }
 template <class Repair_tools>
 std::size_t Dynamic_mender_2<Repair_tools>::number_of_open_edges() const
 {
-  return m_tools.number_of_open_edges();
-}
-template <class Repair_tools>
-bool Dynamic_mender_2<Repair_tools>::has_inverted_edges() const
-{
-  return m_tools.has_inverted_edges();
+  return m_tools.context.proof.size();
 }
 template <class Repair_tools>
 std::size_t Dynamic_mender_2<Repair_tools>::number_of_edges() const
 {
-  return m_tools.number_of_edges();
+  return m_tools.context.state.arrays().number_of_edges();
 }
 template <class Repair_tools>
 bool Dynamic_mender_2<Repair_tools>::is_rebuild_cheaper() const
 {
-  return m_tools.is_rebuild_cheaper();
+  return m_tools.context.is_rebuild_cheaper();
 }
 template <class Repair_tools>
 void Dynamic_mender_2<Repair_tools>::limit_cost()
 {
-  m_tools.limit_cost();
+  m_tools.context.limit_cost();
 }
 template <class Repair_tools>
 bool Dynamic_mender_2<Repair_tools>::can_hold() const
 {
-  return m_tools.can_hold();
+  return m_tools.context.can_hold();
 }
 template <class Repair_tools>
 void Dynamic_mender_2<Repair_tools>::hold()
 {
-  m_tools.hold();
+  m_tools.holds.hold();
 }
 template <class Repair_tools>
 void Dynamic_mender_2<Repair_tools>::release()
 {
-  m_tools.release();
+  m_tools.holds.release();
 }
 template <class Repair_tools>
 void Dynamic_mender_2<Repair_tools>::flip()
 {
-  m_tools.flip();
-}
-template <class Repair_tools>
-void Dynamic_mender_2<Repair_tools>::flip_inverted()
-{
-  m_tools.flip_inverted();
+  m_tools.flips.flip();
 }
 template <class Repair_tools>
 void Dynamic_mender_2<Repair_tools>::splice_classified(unsigned padding)
 {
-  m_tools.splice_classified(padding);
+  m_tools.regions.splice_classified(padding);
 }
 template <class Repair_tools>
 void Dynamic_mender_2<Repair_tools>::splice_open(unsigned padding)
 {
-  m_tools.splice_open(padding);
-}
-template <class Repair_tools>
-void Dynamic_mender_2<Repair_tools>::splice_inverted(unsigned padding)
-{
-  m_tools.splice_inverted(padding);
+  m_tools.regions.splice_open(padding);
 }
 template <class Repair_tools>
 void Dynamic_mender_2<Repair_tools>::relocate()
 {
-  m_tools.relocate();
+  m_tools.regions.relocate();
 }
 template <class Repair_tools>
 void Dynamic_mender_2<Repair_tools>::rebuild(Rebuild_reason_2 reason)
 {
-  m_tools.rebuild(reason);
+  m_tools.context.rebuild(reason);
 }
 
 } // namespace CGAL

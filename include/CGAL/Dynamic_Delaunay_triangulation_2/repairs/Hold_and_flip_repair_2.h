@@ -19,6 +19,11 @@ face over are held back, so that flips end with the Delaunay triangulation of th
 stand; then the held vertices move on, and those that cannot arrive are taken out and inserted where
 they belong (\ref DynamicDelaunayTriangulation2HoldFlipRelease).
 
+An update with this repair and an exact classifier first looks at a sample of the edges. Where that
+shows that a rebuild costs less, it rebuilds. Where much is broken, it takes the frame in two to
+four equal steps, and calls the repair in each of them: all points stop on their ways, and
+`Circumcircle_classifier_2` stands in for the classifier.
+
 Where it is not known how the points have moved, as after a frame of a heuristic classifier, it
 flips edges, and splices around the edges that flips cannot repair. It rebuilds if edges are still
 open after that, or if the limit of cost is reached. So no edge stays open, not even with a
@@ -58,16 +63,10 @@ public:
   void mend(Mender& mender) const
   {
     constexpr unsigned rounds = 6;
-    mender.flip_inverted();
-    for (unsigned round = 0; round < rounds && mender.has_inverted_edges(); ++round) {
-      mender.splice_inverted(layers(round));
-      mender.flip_inverted();
-    }
     mender.flip();
     for (unsigned round = 0; round < rounds && !mender.is_done(); ++round) {
       mender.splice_open(layers(round));
-      if (!mender.is_done())
-        mender.flip();
+      mender.flip();
     }
     if (!mender.is_done())
       mender.rebuild(Rebuild_reason_2::STUCK);

@@ -226,6 +226,45 @@ private:
       set(v, p);
   }
 
+  // STEPS OF A FRAME ----------------------------------------------------------------------------
+
+  // Puts each vertex v at place(v), until arrive_later() or arrive(). Threads share the vertices.
+  template <class Parts, class Function>
+  void stop_at(const Function& place)
+  {
+    CGAL_precondition(m_is_frame && can_place);
+    m_target_points.resize(m_points.size());
+    m_target_points.front() = m_points.front();
+    m_target_positions.resize(m_positions.size(), nan_point());
+    const Staged all{m_target_points.data(), m_target_positions.data()};
+    Parts::for_each_element(m_points.size() - 1, [&](std::size_t i) {
+      const Vertex_index v = Index(i + 1);
+      const Position_2 p = place(v);
+      all.set(v, p, Point(p.x, p.y));
+    });
+    exchange_targets();
+  }
+
+  // Goes on from where the vertices have stopped: they rest there now, and stand at their targets.
+  void go_on()
+  {
+    exchange();
+    arrive();
+  }
+  // Puts all vertices at their targets.
+  void arrive()
+  {
+    if (m_have_stopped)
+      exchange_targets();
+  }
+
+  void exchange_targets()
+  {
+    m_points.swap(m_target_points);
+    m_positions.swap(m_target_positions);
+    m_have_stopped = !m_have_stopped;
+  }
+
   // IN STEP WITH THE VERTICES -------------------------------------------------------------------
 
   // After this, append() throws only what copying a point throws.
@@ -327,6 +366,9 @@ private:
   std::vector<Position_2> m_positions; // empty if points are two doubles
   std::vector<Stored_point> m_other_points;
   std::vector<Position_2> m_other_positions;
+  std::vector<Stored_point> m_target_points; // while the vertices have stopped on their way
+  std::vector<Position_2> m_target_positions;
+  bool m_have_stopped = false;
   std::vector<std::pair<Index, Stored_point>> m_moved; // single points, with former places
   bool m_is_frame = false;                             // the other arrays hold the previous frame
   bool m_are_exact = true;

@@ -28,8 +28,6 @@ template <class State>
 class Plane_editing_2;
 template <class State>
 class Topology_builder_2;
-template <class State>
-class Border_splice_2;
 
 // What an update works on: the topology and the positions of its vertices. Reading is public; only
 // the friends of each class can write.
@@ -51,7 +49,6 @@ public:
   using Edge_test = Edge_test_2<Triangulation_state_2>;
   using Editing = Plane_editing_2<Triangulation_state_2>;
   using Builder = Topology_builder_2<Triangulation_state_2>;
-  using Splice = Border_splice_2<Triangulation_state_2>;
   using Slacks = Plane_slacks_2;
 
   static constexpr bool is_periodic = false;

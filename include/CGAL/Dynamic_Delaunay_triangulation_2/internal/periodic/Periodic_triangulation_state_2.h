@@ -30,8 +30,6 @@ template <class State>
 class Torus_editing_2;
 template <class State>
 class Torus_builder_2;
-template <class State>
-class Padded_region_2;
 
 // An image of a vertex.
 struct Periodic_corner_2
@@ -106,7 +104,6 @@ public:
   using Edge_test = Periodic_edge_test_2<Periodic_triangulation_state_2>;
   using Editing = Torus_editing_2<Periodic_triangulation_state_2>;
   using Builder = Torus_builder_2<Periodic_triangulation_state_2>;
-  using Splice = Padded_region_2<Periodic_triangulation_state_2>;
   using Slacks = Periodic_slacks_2;
   using Ids = Point_ids_2<Point>;
 

@@ -18,7 +18,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Lawson_flips_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Open_edges_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Vertex_relocation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 
@@ -209,9 +208,9 @@ private:
     triangulator.release();
     hide_shifted_edges();
     note_created_edges();
-    Open_edges_2 open;
-    open.take_unproved(m_state);
-    if (flip(open.uncertain(), open.size() + points.size()))
+    std::vector<Index> open;
+    append_unproved(m_state, open);
+    if (flip(open, open.size() + points.size()))
       return true;
     State empty(m_state.torus().cell());
     empty.m_ids.reset(ids().number_of_ids());

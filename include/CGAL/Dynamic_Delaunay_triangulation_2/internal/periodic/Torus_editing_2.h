@@ -323,6 +323,9 @@ public:
            s[0] * multiples[0][1] + s[1] * multiples[1][1]};
   }
 
+  // From now on, the previous positions are those in the present cell.
+  void rest_in_present_cell() { m_state.m_deformation.reset(); }
+
   // SHIFTS OF CORNERS ---------------------------------------------------------------------------
 
   void reserve_for_slot() { reserve_extra(shifts(), 6); }

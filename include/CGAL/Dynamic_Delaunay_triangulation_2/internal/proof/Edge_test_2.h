@@ -351,6 +351,8 @@ private:
   // Tests the hull edge from b to c with the finite face (a, b, c): a must be on its left.
   Edge_state_2 hull_edge_state(Index a, Index b, Index c) const
   {
+    if (b == infinite_index)
+      return Edge_state_2::DELAUNAY; // it is empty
     switch (orientation(a, b, c)) {
     case LEFT_TURN:
       return Edge_state_2::DELAUNAY;
@@ -390,6 +392,20 @@ private:
   const State& m_state;
   Vertex_predicates_2<State> m_predicates;
 };
+
+// Appends all edges that the filter does not prove Delaunay.
+template <class State>
+void append_unproved(const State& state, std::vector<Index>& unproved)
+{
+  using Parts = typename State::Parts;
+  const std::size_t edges = state.arrays().number_of_edges();
+  std::vector<std::vector<Index>> lists(Parts::number(edges));
+  Parts::for_each(edges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+    typename State::Edge_test(state).append_unproved(Index(first), Index(beyond), lists[part]);
+  });
+  for (const std::vector<Index>& list : lists)
+    unproved.insert(unproved.end(), list.begin(), list.end());
+}
 
 // Removes the Delaunay edges from the list, and keeps each other edge once, in ascending order.
 template <class State>

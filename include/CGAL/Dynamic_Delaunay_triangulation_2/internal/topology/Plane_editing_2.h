@@ -65,6 +65,8 @@ public:
   static void reserve(Log&, std::size_t) {}
   static void keep_memory_for(std::size_t) {}
 
+  static void rest_in_present_cell() {}
+
   // FACES AND EDGES -----------------------------------------------------------------------------
 
   bool can_flip(Halfedge_index h) const { return !m_arrays.are_apexes_neighbors(h); }

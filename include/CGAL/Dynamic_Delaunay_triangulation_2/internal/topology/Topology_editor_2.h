@@ -494,6 +494,27 @@ public:
     m_positions.restore(v, p);
   }
 
+  // STEPS OF A FRAME ------------------------------------------------------------------------------
+
+  // Puts all vertices at this share of their ways, from where they rest to their targets, until
+  // arrive(). They must stand at their targets.
+  void stop_at(double share)
+  {
+    const auto place = [&](Vertex_index v) {
+      const Position_2 rest = m_state.rest_position(v), way = m_state.positions()[v] - rest;
+      return Position_2{rest.x + share * way.x, rest.y + share * way.y};
+    };
+    m_positions.template stop_at<typename State::Parts>(place);
+  }
+  // Puts all vertices at their targets; they rest where they have stopped.
+  void go_on()
+  {
+    m_positions.go_on();
+    m_editing.rest_in_present_cell();
+  }
+  // Puts all vertices at their targets, if they have stopped.
+  void arrive() { m_positions.arrive(); }
+
 private:
   void move_representative(Point_id id, const Point& p)
   {

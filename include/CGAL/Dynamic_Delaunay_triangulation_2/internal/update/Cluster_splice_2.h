@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <memory>
 #include <utility>
 #include <vector>
 
@@ -78,26 +77,24 @@ public:
   void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
 
   // Starts a cluster: v, and all vertices that can be reached from v through vertices w for which
-  // `belongs(w)` is true. False if they are more than `most`; then some of them are missing.
+  // `belongs(w)` is true.
   template <class Belongs>
-  bool collect(Vertex_index v, std::size_t most, const Belongs& belongs)
+  void collect(Vertex_index v, const Belongs& belongs)
   {
     m_cluster.clear(m_state.arrays().number_of_vertices());
     m_cluster.insert(v);
-    for (std::size_t i = 0; i < m_cluster.size() && m_cluster.size() <= most; ++i)
+    for (std::size_t i = 0; i < m_cluster.size(); ++i)
       m_state.arrays().for_each_neighbor(m_cluster[i], [&](Vertex_index w) {
         if (belongs(w))
           m_cluster.insert(w);
       });
     m_first_size = m_cluster.size();
-    return m_first_size <= most;
   }
 
   // Triangulates the cluster and its border. Enlarges it until the new faces fit, within `limits`.
   Splice_result_2 make(Splice_limits_2& limits)
   {
     constexpr std::size_t gentle_enlargements = 3;
-    m_looked_at.clear();
     for (std::size_t enlargements = 0;; ++enlargements) {
       collect_old_faces();
       const std::size_t size = m_cluster.size() + m_border.size();
@@ -131,38 +128,6 @@ public:
   const Patch_2& new_faces() const { return m_new; }
   // The vertices that were triangulated last. If a coincidence was found, two of them coincide.
   const std::vector<Index>& region() const { return m_region; }
-
-  // The results of make(), to be spliced later.
-  struct Record
-  {
-    std::vector<Index> cluster, border, old_faces;
-    std::vector<Index> looked_at; // other faces on which the results depend
-    std::size_t first_size;
-    bool fits;
-    std::vector<Boundary_edge_2> old_boundary;
-    Patch_2 new_faces;
-  };
-
-  Record record() const
-  {
-    return {m_cluster.members(),   m_border.members(),
-            m_old_faces.members(), m_looked_at,
-            m_first_size,          m_fits,
-            m_old_boundary,        m_new};
-  }
-
-  // Takes over the results of make() that another object has recorded.
-  void take(Record&& record)
-  {
-    const std::size_t vertices = m_state.arrays().number_of_vertices();
-    m_cluster.assign(record.cluster, vertices);
-    m_border.assign(record.border, vertices);
-    m_old_faces.assign(record.old_faces, m_state.arrays().number_of_faces());
-    m_first_size = record.first_size;
-    m_fits = record.fits;
-    m_old_boundary.swap(record.old_boundary);
-    std::swap(m_new, record.new_faces);
-  }
 
 private:
   // Adds the vertices where the two boundaries differ, or the whole border if none of these is new.
@@ -309,7 +274,6 @@ private:
     bool is_outside = false;
     arrays.for_each_corner(v, [&](Halfedge_index h) {
       const Index beyond = arrays.twin(Arrays::previous(h));
-      m_looked_at.push_back(Arrays::face_of(h));
       is_outside = is_outside || (arrays.apex(Arrays::next(h)) == w &&
                                   !(m_old_faces.contains(Arrays::face_of(h)) &&
                                     m_old_faces.contains(Arrays::face_of(beyond))));
@@ -328,184 +292,6 @@ private:
   std::vector<Index> m_region, m_new_number;
   Patch_2 m_new;
   std::vector<Index> m_disagreeing;
-  std::vector<Index> m_looked_at; // the faces around vertices of the border that were read
-};
-
-// New faces that threads prepare for clusters before their turn comes, while nothing is written.
-// Most splices do not touch each other: then the same faces would be made in turn, too.
-//
-// Whether this is so can be told from the faces that were read: the faces around the vertices of
-// the cluster, and faces around vertices of its border, which are recorded as well. Suppose none of
-// them was replaced since. Then the same new faces would be made in turn: of a face that was not
-// replaced only a twin may have changed, from a half-edge of a replaced face to another half-edge
-// of a replaced face. The same cluster would be collected, too: its vertices still have the same
-// neighbors, and none of them was spliced. For suppose one was, although its faces were not
-// replaced. Then it was in a cluster that kept its faces. Both clusters share this vertex, so they
-// are the same, and this one has had its turn.
-template <class State>
-class Prepared_splices_2
-{
-  using Parts = typename State::Parts;
-  using Cluster_splice = Cluster_splice_2<State>;
-
-public:
-  using Record = typename Cluster_splice::Record;
-
-  explicit Prepared_splices_2(const State& state)
-    : m_state(state)
-  {
-  }
-
-  void set_engine(Static_engine_2 engine) { m_engine = engine; }
-
-  // Starts anew: the next call of prepare() drops all records.
-  void clear() { m_beyond = 0; }
-
-  // Has threads prepare the clusters that begin at the i-th vertex of `inner` or at one of the next
-  // vertices, unless an earlier call has done that or the vertices are too few.
-  void prepare(std::size_t i, const Index_set_2& inner, const Index_set_2& spliced,
-               std::size_t max_enlargements)
-  {
-    if (i < m_beyond)
-      return;
-    const std::size_t size = (std::min)(inner.size() - i, most_at_once);
-    const std::size_t parts = (std::min)(Parts::number(size, least), max_parts);
-    m_beyond = i + size;
-    m_place = {m_parts.size(), 0};
-    if (!Parts::are_shared(parts))
-      return;
-    m_replaced.clear(m_state.arrays().number_of_faces());
-    m_place = {0, 0};
-    m_parts.resize((std::max)(parts, m_parts.size()));
-    for (Part& part : m_parts)
-      part.records.clear();
-    Parts::run(parts, [&](std::size_t part) {
-      prepare_part(m_parts[part], inner, spliced, i + Parts::begin(part, parts, size),
-                   i + Parts::begin(part + 1, parts, size), max_enlargements);
-    });
-  }
-
-  // Returns the record of the cluster that begins at the i-th inner vertex, if the same would be
-  // made now within `limits`, and takes its cost from `limits`. Call it for ascending i.
-  Record* find(std::size_t i, Splice_limits_2& limits)
-  {
-    Prepared* const prepared = next_from(i);
-    if (prepared == nullptr || prepared->first != i || !is_fresh(prepared->record) ||
-        prepared->vertices > limits.max_vertices)
-      return nullptr;
-    limits.max_vertices -= prepared->vertices;
-    limits.enlargements += prepared->enlargements;
-    return &prepared->record;
-  }
-
-  // Returns the record `number` places after the one found last, or null if its part has none.
-  const Record* following(std::size_t number) const
-  {
-    const auto& records = m_parts[m_place.part].records;
-    return m_place.number + number < records.size() ? &records[m_place.number + number].record
-                                                    : nullptr;
-  }
-
-  // Notes the old faces of a splice. To be called for each one.
-  void note_replaced(const Index_set_2& faces)
-  {
-    if (!is_anything_left())
-      return;
-    for (const Face_index f : faces)
-      m_replaced.insert(f);
-  }
-
-private:
-  struct Prepared
-  {
-    std::size_t first;                  // the number of the first vertex among the inner ones
-    std::size_t vertices, enlargements; // what make() took from its limits
-    Record record;
-  };
-
-  // The working memory of a part, and the records that were made in it.
-  struct Part
-  {
-    std::unique_ptr<Cluster_splice> splice;
-    Index_set_2 seen; // the vertices that were collected in this part
-    std::vector<Prepared> records;
-  };
-
-  // A vertex takes a microsecond or more. Parts are few: each has sets of a bit a vertex or face.
-  static constexpr std::size_t least = (std::max)(Parts::usual_size / 256, std::size_t(1));
-  static constexpr std::size_t max_parts = 8, most_at_once = 1 << 15;
-  // Larger clusters are not prepared: all parts would collect the same one.
-  static constexpr std::size_t most_vertices = 256, most_triangulated = 2048;
-
-  void prepare_part(Part& part, const Index_set_2& inner, const Index_set_2& spliced,
-                    std::size_t first, std::size_t beyond, std::size_t max_enlargements) const
-  {
-    if (!part.splice)
-      part.splice = std::make_unique<Cluster_splice>(m_state);
-    part.splice->set_engine(m_engine);
-    part.seen.clear(m_state.arrays().number_of_vertices());
-    for (std::size_t i = first; i < beyond; ++i) {
-      if (part.seen.contains(inner[i]) || spliced.contains(inner[i]) ||
-          !collect(part, inner[i], inner, spliced))
-        continue;
-      Splice_limits_2 limits{max_enlargements, most_triangulated};
-      if (part.splice->make(limits) == Splice_result_2::DONE)
-        part.records.push_back({i, most_triangulated - limits.max_vertices, limits.enlargements,
-                                part.splice->record()});
-    }
-  }
-
-  // Collects the cluster of v. False if it is too large, or meets one that was too large.
-  bool collect(Part& part, Vertex_index v, const Index_set_2& inner,
-               const Index_set_2& spliced) const
-  {
-    bool is_whole = true;
-    const auto belongs = [&](Vertex_index w) {
-      const bool is_inner = inner.contains(w) && !spliced.contains(w);
-      is_whole = is_whole && !(is_inner && part.seen.contains(w));
-      return is_inner && is_whole;
-    };
-    is_whole = part.splice->collect(v, most_vertices, belongs) && is_whole;
-    for (const Vertex_index w : part.splice->cluster())
-      part.seen.insert(w);
-    return is_whole;
-  }
-
-  bool is_fresh(const Record& record) const
-  {
-    const auto is_replaced = [this](Face_index f) { return m_replaced.contains(f); };
-    const auto is_any_replaced = [&](const std::vector<Index>& faces) {
-      return std::any_of(faces.begin(), faces.end(), is_replaced);
-    };
-    return !is_any_replaced(record.old_faces) && !is_any_replaced(record.looked_at);
-  }
-
-  // The place of a record.
-  struct Place
-  {
-    std::size_t part, number;
-  };
-
-  // Goes on to the first record of a cluster that begins at the i-th inner vertex or later.
-  Prepared* next_from(std::size_t i)
-  {
-    for (; is_anything_left(); ++m_place.part, m_place.number = 0) {
-      auto& records = m_parts[m_place.part].records;
-      for (; m_place.number < records.size(); ++m_place.number)
-        if (records[m_place.number].first >= i)
-          return &records[m_place.number];
-    }
-    return nullptr;
-  }
-
-  bool is_anything_left() const { return m_place.part < m_parts.size(); }
-
-  const State& m_state;
-  Static_engine_2 m_engine = Static_engine_2::GUIBAS_STOLFI;
-  std::vector<Part> m_parts;
-  Place m_place{0, 0};
-  std::size_t m_beyond = 0; // inner vertices before this one were looked at
-  Index_set_2 m_replaced;   // faces that were replaced since the last prepare()
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -16,6 +16,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_tools_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_choices_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_context_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_outlook_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_proof_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Dynamic_mender_2.h>
@@ -37,6 +40,7 @@ class Update_2
   using Point = typename State::Point;
   using Tools = Repair_tools_2<State>;
   using Mender = Dynamic_mender_2<Tools>;
+  using Proof = Update_proof_2;
   using Frame = Dynamic_frame_2<State>;
   using Change = Change_2<Point>;
 
@@ -46,6 +50,7 @@ public:
   explicit Update_2(State& state)
     : m_state(state)
     , m_tools(state)
+    , m_context(m_tools.context)
   {
   }
 
@@ -54,7 +59,7 @@ public:
   // Makes the empty triangulation a copy of `other`, and takes over what `update` knows.
   void copy(const State& other, const Update_2& update)
   {
-    m_tools.builder().copy(other);
+    m_context.builder.copy(other);
     m_is_certified = update.m_is_certified;
     m_experience = update.m_experience;
     m_is_classifier_informed = update.m_is_classifier_informed;
@@ -64,10 +69,10 @@ public:
   const Repair_experience_2& memory() const { return m_experience; }
 
   // Exchanges everything for what was read from a checkpoint. The classifier was told of that
-  // already. Throws nothing after reserve_for_exchange() of the tools.
+  // already. Throws nothing after the builder's reserve_for_exchange().
   void exchange(State& other, bool is_certified, const Repair_experience_2& memory)
   {
-    m_tools.exchange(other);
+    m_context.exchange(other);
     m_is_certified = is_certified;
     m_experience = memory;
     m_is_classifier_informed = true;
@@ -86,7 +91,7 @@ public:
   void enter()
   {
     m_has_removed = false;
-    m_tools.editor().begin_changes(std::exchange(m_is_classifier_informed, false));
+    m_context.editor.begin_changes(std::exchange(m_is_classifier_informed, false));
   }
   // Whether all points to remove in this call, or in the last one, were removed.
   bool has_removed() const { return m_has_removed; }
@@ -127,20 +132,20 @@ private:
       m_is_certified = was_certified;
       return report;
     }
-    Rebuild_reason_2 reason;
+    Plan plan;
     bool is_accepted = false;
     try {
       report.inserted = change.coming.size();
       report.removed = change.gone.size();
-      m_tools.start(report, choices.is_exact());
+      m_context.start(report, choices.is_exact());
       if (change.is_frame) {
         input.accept(); // throws nothing
         is_accepted = true;
       }
-      m_tools.editor().move(change.moved, change.moved_points, change.are_exact);
-      reason = reason_to_rebuild(change, choices);
-      if (reason == Rebuild_reason_2::NONE)
-        classify(change, choices, was_certified);
+      m_context.editor.move(change.moved, change.moved_points, change.are_exact);
+      plan = make_plan(change, choices, was_certified);
+      if (plan.reason == Rebuild_reason_2::NONE)
+        classify(change, choices, was_certified, plan);
     } catch (...) {
       if (is_accepted)
         input.take_back();
@@ -148,14 +153,14 @@ private:
       throw;
     }
     // before points are removed, because a rebuild just leaves them out (if a proof is required)
-    if (reason == Rebuild_reason_2::NONE && change.has_population() && m_tools.has_to_prove() &&
-        m_tools.is_rebuild_cheaper()) {
-      reason = Rebuild_reason_2::TOO_MUCH_BROKEN;
+    if (plan.reason == Rebuild_reason_2::NONE && plan.steps == 1 && change.has_population() &&
+        m_context.proof.is_required() && m_context.is_rebuild_cheaper()) {
+      plan.reason = Rebuild_reason_2::TOO_MUCH_BROKEN;
       if (change.is_frame)
-        learn(reason);
+        learn(plan.reason);
     }
-    if (reason != Rebuild_reason_2::NONE) {
-      rebuild(change, reason, report);
+    if (plan.reason != Rebuild_reason_2::NONE) {
+      rebuild(change, plan.reason, report);
       return report;
     }
     if (change.has_population()) {
@@ -163,10 +168,13 @@ private:
         rebuild(change, Rebuild_reason_2::STUCK, report);
         return report;
       }
-      m_tools.relocation().announce(change.coming, change.coming_points);
+      m_context.relocation.announce(change.coming, change.coming_points);
     }
     m_has_removed = true;
-    mend(change, choices);
+    if (plan.steps > 1)
+      mend_in_steps(plan.steps, change, choices);
+    else
+      mend(change, choices);
     prove_before_points_come(report);
     put_in(report);
     prove(change, report);
@@ -178,38 +186,56 @@ private:
   template <class Input>
   bool remove(const std::vector<Index>& ids, bool is_frame, Input& input)
   {
-    if (!is_frame || !m_tools.can_hold())
-      return m_tools.remove(ids);
+    if (!is_frame || !m_context.can_hold())
+      return m_tools.population.remove(ids);
     input.take_back();
     bool are_gone = false;
     try {
-      are_gone = m_tools.remove_before_motion(ids);
+      are_gone = m_tools.population.remove_before_motion(ids);
     } catch (...) {
       input.accept();
       throw;
     }
     input.accept();
-    return are_gone && m_tools.remove(ids);
+    return are_gone && m_tools.population.remove(ids);
   }
 
   // TO REBUILD OR NOT ---------------------------------------------------------------------------
 
-  // Returns why to rebuild, or `NONE`. Decides before any work that a rebuild would discard.
-  Rebuild_reason_2 reason_to_rebuild(const Change& change, const Choices& choices)
+  // Why to rebuild, or else in how many steps to take a frame.
+  struct Plan
+  {
+    Rebuild_reason_2 reason = Rebuild_reason_2::NONE;
+    unsigned steps = 1;
+  };
+
+  // Decides before any work that a rebuild would discard.
+  Plan make_plan(const Change& change, const Choices& choices, bool was_certified)
   {
     if (!m_state.spans_plane() || leaves_too_few(change))
-      return Rebuild_reason_2::DIMENSION;
+      return {Rebuild_reason_2::DIMENSION};
     const std::size_t parted = parted_duplicates().size();
     if (are_too_many(change.gone.size() + change.coming.size() + parted))
-      return parted > change.gone.size() + change.coming.size() ? Rebuild_reason_2::COINCIDENCE
-                                                                : Rebuild_reason_2::POPULATION;
+      return {parted > change.gone.size() + change.coming.size() ? Rebuild_reason_2::COINCIDENCE
+                                                                 : Rebuild_reason_2::POPULATION};
     if (change.is_frame && choices.wants_rebuild(Frame(m_state)))
-      return Rebuild_reason_2::POLICY;
-    if (change.is_frame && choices.may_sample() && is_sample_hopeless()) {
+      return {Rebuild_reason_2::POLICY};
+    return change.is_frame && choices.may_sample() ? plan_by_sample(change, was_certified) : Plan();
+  }
+
+  Plan plan_by_sample(const Change& change, bool was_certified)
+  {
+    const std::size_t rebuild = m_context.price_of_rebuild();
+    const std::size_t changes =
+        (change.gone.size() + change.coming.size()) * Cost_model_2::insertion;
+    const Update_outlook_2<State> outlook(m_state, m_experience,
+                                          rebuild - (std::min)(changes, rebuild));
+    if (outlook.is_hopeless()) {
       m_experience.record_not_tried();
-      return Rebuild_reason_2::TOO_MUCH_BROKEN;
+      return {Rebuild_reason_2::TOO_MUCH_BROKEN};
     }
-    return Rebuild_reason_2::NONE;
+    const bool can_stop = State::Positions::can_place && was_certified;
+    return {Rebuild_reason_2::NONE, can_stop ? outlook.steps() : 1};
   }
 
   bool leaves_too_few(const Change& change) const
@@ -228,63 +254,20 @@ private:
     const std::size_t duplicates = m_state.ids().duplicates().size();
     const std::size_t searches = changes * duplicates / compared_at_the_price_of_a_change;
     return changes > 0 && (changes + searches) * Cost_model_2::insertion >
-                              m_tools.price_of_rebuild() + Cost_model_2::rebuild(duplicates);
-  }
-
-  // Samples edges, to avoid a useless classification: many edges if mending was in vain lately, or
-  // if half of the very few edges that are sampled in every frame are broken.
-  bool is_sample_hopeless() const
-  {
-    constexpr std::size_t very_few = 8, least = 128, most = 1024;
-    const Frame frame(m_state);
-    const std::size_t edges = frame.number_of_edges();
-    const auto is_half_broken = [](const Sample& few) { return 2 * few.broken >= few.size; };
-    const auto is_not_delaunay = [&](Edge_index e) { return !frame.is_delaunay(e); };
-    const auto is_unproved = [&](Edge_index e) {
-      return !frame.is_at_infinity(e) && !frame.proves_delaunay(e);
-    };
-    // the filter alone first, because every frame pays for it
-    if (!m_experience.has_failed_recently() &&
-        !(is_half_broken(sample(frame, very_few, is_unproved)) &&
-          is_half_broken(sample(frame, very_few, is_not_delaunay))))
-      return false;
-    const std::size_t size = (std::min)((std::max)(edges / 16, least), most);
-    const Sample many = sample(frame, size, is_not_delaunay);
-    // Two of five broken edges are uncertain where mending costs as much as a rebuild. A quarter
-    // more than necessary, because a sample may be wrong.
-    const std::size_t broken = edges * many.broken / many.size * 4 / 5;
-    return m_experience.is_hopeless(many.size, many.broken) ||
-           Cost_model_2::mending(broken * 3 / 5, broken * 2 / 5) > m_tools.price_of_rebuild();
-  }
-
-  struct Sample
-  {
-    std::size_t size, broken;
-  };
-
-  // Samples about `size` edges, or all.
-  template <class Is_broken>
-  static Sample sample(const Frame& frame, std::size_t size, const Is_broken& is_broken)
-  {
-    const std::size_t edges = frame.number_of_edges();
-    const std::size_t stride = 1 + edges / size;
-    Sample taken{0, 0};
-    for (std::size_t e = 0; e < edges; e += stride, ++taken.size)
-      taken.broken += is_broken(Index(e));
-    return taken;
+                              m_context.price_of_rebuild() + Cost_model_2::rebuild(duplicates);
   }
 
   void rebuild(Change& change, Rebuild_reason_2 reason, Update_report_2& report)
   {
     const bool spanned_plane = m_state.spans_plane();
     if (change.gone.empty() && change.coming.empty()) {
-      m_tools.rebuild(reason);
+      m_context.rebuild(reason);
     } else {
-      m_tools.relocation().give_up(); // drops the slots of points that were removed already
+      m_context.relocation.give_up(); // drops the slots of points that were removed already
       const auto is_gone = [this](Point_id id) { return !m_state.ids().is_taken(id); };
       change.gone.erase(std::remove_if(change.gone.begin(), change.gone.end(), is_gone),
                         change.gone.end());
-      m_tools.builder().build_with(change.gone, std::move(change.coming),
+      m_context.builder.build_with(change.gone, std::move(change.coming),
                                    std::move(change.coming_points));
       report.rebuild_reason =
           spanned_plane && m_state.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
@@ -295,33 +278,37 @@ private:
 
   // CLASSIFICATION ------------------------------------------------------------------------------
 
-  // The user's classifier is called for whole frames only. Otherwise exact predicates decide: at
-  // all edges if these are uncertified and a proof is required, otherwise around the moved points.
-  // Where points can be located only if all is Delaunay, a proof is always required.
-  void classify(const Change& change, const Choices& choices, bool was_certified)
+  // The user's classifier is called for whole frames that are taken in one step. Otherwise exact
+  // predicates decide: at all edges if these are uncertified and a proof is required, else around
+  // the moved points. Where points can be located only if all is Delaunay, a proof is always
+  // required.
+  void classify(const Change& change, const Choices& choices, bool was_certified, const Plan& plan)
   {
-    typename Tools::Task task;
-    task.was_certified = was_certified;
+    Update_task_2 task;
+    task.rest = was_certified ? Proof::Rest::DELAUNAY : Proof::Rest::UNKNOWN;
     task.changes = change.gone.size() + change.coming.size();
-    task.movers = m_state.number_of_vertices();
+    const auto require_if = [&](bool is) {
+      task.goal = is ? Proof::Goal::DELAUNAY : Proof::Goal::NONE;
+    };
     if (change.is_frame) {
-      task.has_to_prove = choices.is_exact();
-      choices.classify(Frame(m_state), m_tools.classification());
+      require_if(choices.is_exact());
+      if (plan.steps == 1) // each step is classified on its own
+        choices.classify(Frame(m_state), m_context.classification);
     } else if (change.is_mending ||
                ((choices.is_exact() || !State::can_locate_anywhere) && !was_certified)) {
-      task.has_to_prove = true;
-      Circumcircle_classifier_2()(Frame(m_state), m_tools.classification());
+      require_if(true);
+      Circumcircle_classifier_2()(Frame(m_state), m_context.classification);
     } else {
-      task.has_to_prove = was_certified;
-      task.movers = change.moved.size();
-      task.hull_stays = was_certified && !is_any_on_hull(change.moved);
+      require_if(was_certified);
+      if (was_certified && !is_any_on_hull(change.moved))
+        task.hull = Proof::Hull::AS_BEFORE;
       task.jumper = was_certified ? find_jumper(change.moved) : Vertex_index(null_index);
       if (task.jumper == null_index)
         classify_around(change.moved);
       else
-        m_tools.classification().add_vertex(task.jumper);
+        m_context.classification.add_vertex(task.jumper);
     }
-    m_tools.open(task);
+    m_context.open(task);
   }
 
   // Classifies the edges that see one of these points and are not Delaunay.
@@ -334,7 +321,7 @@ private:
                                     [&](Edge_index e) { m_edges_around.push_back(e); });
     if (ids.size() > 1)
       make_distinct(m_edges_around);
-    m_tools.classification().add_unless_delaunay(frame, m_edges_around);
+    m_context.classification.add_unless_delaunay(frame, m_edges_around);
   }
 
   // The vertex of the only point that has moved, if it has jumped: no edge need be examined then.
@@ -343,7 +330,7 @@ private:
     if (ids.size() != 1)
       return null_index;
     const Vertex_index v = m_state.ids().vertex(ids.front());
-    return m_tools.has_jumped_alone(v) ? v : Vertex_index(null_index);
+    return m_tools.holds.has_jumped_alone(v) ? v : Vertex_index(null_index);
   }
 
   bool is_any_on_hull(const std::vector<Index>& ids) const
@@ -362,23 +349,46 @@ private:
   void mend(const Change& change, const Choices& choices)
   {
     Mender mender(m_tools);
-    const bool is_nothing_open = m_tools.open_edges().empty();
+    const bool is_nothing_open = m_context.proof.empty();
     if (!change.is_frame && is_nothing_open)
-      m_tools.limit_cost(); // the cost of putting vertices in
+      m_context.limit_cost(); // the cost of putting vertices in
     else if (!change.is_frame)
       Hold_and_flip_repair_2()(mender);
-    else if (!is_nothing_open || !m_tools.classification().empty())
+    else if (!is_nothing_open || !m_context.classification.empty())
       choices.mend(mender);
-    m_tools.release(); // what a repair of the user's may have left held
+    m_tools.holds.release(); // what a repair of the user's may have left held
+  }
+
+  // Takes a rough frame in equal steps. Each is mended like a frame of its own.
+  void mend_in_steps(unsigned steps, const Change& change, const Choices& choices)
+  {
+    Update_task_2 task = m_context.task;
+    if (!m_context.can_hold()) { // a removal has left open where the others rest
+      task.rest = Proof::Rest::UNKNOWN;
+      steps = 1;
+    }
+    Circumcircle_classifier_2 classifier;
+    m_context.set_steps(steps);
+    for (m_context.begin_first_step();; m_context.begin_next_step()) {
+      m_context.classification.clear(m_state);
+      classifier(Frame(m_state), m_context.classification);
+      m_context.open(task);
+      mend(change, choices);
+      if (m_context.has_rebuilt() || m_context.steps_left() == 1)
+        return;
+      if (!m_context.proof.is_complete(m_state))
+        return m_context.rebuild(Rebuild_reason_2::STUCK);
+    }
   }
 
   // Mends everything before points are put in, where they can be located only if all is Delaunay.
   void prove_before_points_come(const Update_report_2& report)
   {
-    if (State::can_locate_anywhere || report.rebuilt() || m_tools.has_to_prove() ||
-        (m_tools.relocation().number_to_put_in() == 0 && parted_duplicates().empty()))
+    if (State::can_locate_anywhere || report.rebuilt() || m_context.proof.is_required() ||
+        (m_context.relocation.number_to_put_in() == 0 && parted_duplicates().empty()))
       return;
-    m_tools.examine_everything();
+    m_context.proof.require();
+    m_context.proof.take_unproved(m_state);
     Mender mender(m_tools);
     Hold_and_flip_repair_2().mend(mender);
   }
@@ -386,12 +396,13 @@ private:
   // Puts in vertices outside of faces, new points and parted duplicates, and mends around them.
   void put_in(Update_report_2& report)
   {
-    if (report.rebuilt() || (m_tools.has_to_prove() && !m_tools.open_edges().empty()))
+    if (report.rebuilt() || (m_context.proof.is_required() && !m_context.proof.empty()))
       return;
     const std::vector<Index> parted = parted_duplicates();
-    const bool has_left_open = m_tools.relocation().is_under_way() && !m_tools.open_edges().empty();
-    if (!parted.empty() || m_tools.relocation().number_to_put_in() > 0 || has_left_open) {
-      m_tools.put_in(parted);
+    const auto& relocation = m_context.relocation;
+    const bool has_left_open = relocation.is_under_way() && !m_context.proof.empty();
+    if (!parted.empty() || relocation.number_to_put_in() > 0 || has_left_open) {
+      m_tools.population.put_in(parted);
       Mender mender(m_tools);
       if (!mender.is_done())
         Hold_and_flip_repair_2().mend(mender);
@@ -401,12 +412,12 @@ private:
   // Rebuilds if a proof is required and was not completed.
   void prove(const Change& change, Update_report_2& report)
   {
-    const bool has_to = m_tools.has_to_prove();
-    if (has_to && !report.rebuilt() && !m_tools.is_proved())
-      m_tools.rebuild(Rebuild_reason_2::STUCK);
+    const bool has_to = m_context.proof.is_required();
+    if (has_to && !report.rebuilt() && !m_context.proof.is_complete(m_state))
+      m_context.rebuild(Rebuild_reason_2::STUCK);
     if (!report.rebuilt())
-      m_tools.finish();
-    m_tools.editor().end_changes();
+      m_context.finish();
+    m_context.editor.end_changes();
     m_is_certified = has_to || report.rebuilt();
     if (change.is_frame)
       learn(report.rebuild_reason);
@@ -417,12 +428,12 @@ private:
   {
     std::vector<Index> edges;
     if (m_state.torus().cell().is_slab())
-      edges = m_tools.illegal_edges_across_gap();
+      edges = m_tools.flips.illegal_edges_across_gap();
     if (edges.empty())
       return false;
-    m_tools.editor().begin_changes(std::exchange(m_is_classifier_informed, false));
-    m_tools.flip_across_gap(edges);
-    m_tools.editor().end_changes();
+    m_context.editor.begin_changes(std::exchange(m_is_classifier_informed, false));
+    m_tools.flips.flip_across_gap(edges);
+    m_context.editor.end_changes();
     choices.inform(Frame(m_state));
     m_is_classifier_informed = true;
     return true;
@@ -430,10 +441,10 @@ private:
 
   void learn(Rebuild_reason_2 reason)
   {
-    const std::size_t open = m_tools.number_of_classified_edges(),
-                      edges = m_tools.number_of_edges();
+    const std::size_t open = m_context.number_of_classified_edges(),
+                      edges = m_state.arrays().number_of_edges();
     if (reason == Rebuild_reason_2::TOO_MUCH_BROKEN || reason == Rebuild_reason_2::BUDGET_SPENT ||
-        m_tools.has_cost_a_rebuild())
+        m_context.has_cost_a_rebuild())
       m_experience.record_failure(open, edges);
     else if (reason == Rebuild_reason_2::NONE)
       m_experience.record_success(open, edges);
@@ -441,7 +452,8 @@ private:
 
   const State& m_state;
   Tools m_tools;
-  std::vector<Index> m_edges_around; // points that moved alone
+  Update_context_2<State>& m_context; // that of the tools
+  std::vector<Index> m_edges_around;  // points that moved alone
   bool m_is_certified = true;
   bool m_has_removed = true;
   bool m_is_classifier_informed = false; // of what is new since an update began
@@ -458,10 +470,10 @@ Update_report_2 Update_2<State>::run(Change& change, Input& input, const Choices
   try {
     report = run_phases(change, input, choices);
   } catch (...) {
-    m_tools.give_up();
+    m_context.give_up();
     throw;
   }
-  m_tools.relocation().give_up();
+  m_context.relocation.give_up();
   choices.inform(Frame(m_state));
   m_is_classifier_informed = true;
   return report;

@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_tools_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Chosen_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Dynamic_mender_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Hold_and_flip_repair_2.h>
 
@@ -29,8 +30,8 @@ public:
 
   template <class Classifier, class Repair, class Policy>
   Update_choices_2(Classifier& classifier, Repair& repair, Policy& policy)
-    : m_is_exact(Classifier::is_exact)
-    , m_is_repair_usual(std::is_base_of_v<Hold_and_flip_repair_2, Repair>)
+    : m_is_exact(is_classifier_exact(classifier))
+    , m_is_repair_usual(is_usual(repair))
     , m_classifier(&classifier)
     , m_repair(&repair)
     , m_policy(&policy)
@@ -48,8 +49,8 @@ public:
 
   bool is_exact() const { return m_is_exact; }
 
-  // Whether a sample of edges may decide that everything is rebuilt. Any other repair has to be
-  // called, whatever is broken.
+  // Whether a sample of edges may decide that everything is rebuilt, or mended in steps. Any other
+  // repair has to be called once, whatever is broken.
   bool may_sample() const { return m_is_exact && m_is_repair_usual; }
 
   void classify(const Frame& frame, Classification& classified) const
@@ -62,6 +63,17 @@ public:
   bool wants_rebuild(const Frame& frame) const { return m_wants_rebuild(m_policy, frame); }
 
 private:
+  template <class Repair>
+  static bool is_usual(const Repair&)
+  {
+    return std::is_base_of_v<Hold_and_flip_repair_2, Repair>;
+  }
+  template <class... Repairs>
+  static bool is_usual(const Chosen_repair_2<Repairs...>& repair)
+  {
+    return repair.visit([](const auto& chosen) { return is_usual(chosen); });
+  }
+
   bool m_is_exact, m_is_repair_usual;
   void *m_classifier, *m_repair, *m_policy;
   void (*m_classify)(void*, const Frame&, Classification&);

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_OPEN_EDGES_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_OPEN_EDGES_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_UPDATE_PROOF_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_UPDATE_PROOF_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -18,13 +18,73 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// How far the proof of an update has come: which edges are *open*, that is, not proved Delaunay
-// yet, and whether the faces are known to tile the hull. The proof is complete when no edge is open
-// and the faces tile the hull. Edges known to be illegal between two counterclockwise faces are
-// kept apart, because a flip repairs them.
-class Open_edges_2
+// What an update has to prove, what it started from, and how far it has come: which edges are
+// *open*, that is, not proved Delaunay yet, and what is known of the faces. Edges known to be
+// illegal between two counterclockwise faces are kept apart, because a flip repairs them.
+class Update_proof_2
 {
 public:
+  enum class Goal {
+    NONE,    // whatever the tools leave: the classifier is heuristic
+    DELAUNAY // everything
+  };
+  // What is known of the vertices where they rest, which is where they were before they moved.
+  enum class Rest { UNKNOWN, DELAUNAY };
+  enum class Hull {
+    UNKNOWN,
+    AS_BEFORE // it turned around once, and none of its vertices has moved; new faces may change it
+  };
+  enum class Faces {
+    UNKNOWN,
+    TILE_HULL // counterclockwise, they tile the convex hull; on a torus, the torus
+  };
+
+  // Starts anew, with no open edge.
+  void start(Goal goal, Rest rest, Hull hull)
+  {
+    m_goal = goal;
+    m_rest = rest;
+    m_hull = hull;
+    clear();
+  }
+
+  bool is_required() const { return m_goal == Goal::DELAUNAY; }
+  void require() { m_goal = Goal::DELAUNAY; }
+
+  bool is_rest_known() const { return m_rest == Rest::DELAUNAY; }
+  void set_rest(Rest rest) { m_rest = rest; }
+
+  void forget_hull() { m_hull = Hull::UNKNOWN; }
+
+  // What the last tool has proved of the faces. If no tool was used yet, what the classifier has.
+  bool do_faces_tile_hull() const { return m_faces == Faces::TILE_HULL; }
+  void set_faces(Faces faces) { m_faces = faces; }
+
+  // Whether nothing is left to prove.
+  template <class State>
+  bool is_complete(const State& state) const
+  {
+    return empty() && (do_faces_tile_hull() || hull_turns_once(state));
+  }
+
+  // Condition 4 of the certificate. A hull that has turned around once still does so if its
+  // vertices are the same and have not moved. They are the same if no face at infinity is new. Each
+  // new face has an edge in the log: a flip logs the diagonal, which is in both faces; putting in a
+  // vertex logs all edges of its faces; taking one out logs the edges between the faces that are
+  // left, and all edges of the last one. So no face at infinity is new if no edge in the log is at
+  // one. Walking around a long hull costs more than all the rest.
+  template <class State>
+  bool hull_turns_once(const State& state) const
+  {
+    const Change_log_2& changes = state.changes();
+    const auto is_at_hull = [&](Edge_index e) { return state.is_at_infinity(e); };
+    return (m_hull == Hull::AS_BEFORE && !changes.everything_is_new &&
+            std::none_of(changes.new_edges.begin(), changes.new_edges.end(), is_at_hull)) ||
+           Dynamic_frame_2<State>(state).hull_turns_once();
+  }
+
+  // OPEN EDGES ----------------------------------------------------------------------------------
+
   bool empty() const { return m_uncertain.empty() && m_illegal.empty(); }
   std::size_t size() const { return m_uncertain.size() + m_illegal.size(); }
 
@@ -34,16 +94,25 @@ public:
   const std::vector<Index>& illegal() const { return m_illegal; }
   std::vector<Index>& uncertain() { return m_uncertain; }
 
-  // Whether the last tool has proved that the faces tile the convex hull. If no tool was used yet,
-  // whether the classifier has. On a torus the faces tile the torus as soon as none is inverted.
-  bool faces_tile_hull() const { return m_faces_tile_hull; }
-  void set_planar(bool faces_tile_hull) { m_faces_tile_hull = faces_tile_hull; }
-
   void clear()
   {
     m_uncertain.clear();
     m_illegal.clear();
-    m_faces_tile_hull = false;
+    m_faces = Faces::UNKNOWN;
+  }
+
+  // Opens these edges.
+  void open(const std::vector<Index>& edges)
+  {
+    m_uncertain.insert(m_uncertain.end(), edges.begin(), edges.end());
+  }
+
+  // Opens the edges that see a vertex.
+  template <class State>
+  void open_around(const State& state, Vertex_index v)
+  {
+    Dynamic_frame_2<State>(state).for_each_edge_that_sees(
+        v, [this](Edge_index e) { m_uncertain.push_back(e); });
   }
 
   // Takes the classified edges, and the edges at the vertices that were classified as a whole.
@@ -63,7 +132,8 @@ public:
     const auto illegal = edges.end() - std::ptrdiff_t(classification.number_of_illegal_edges());
     m_uncertain.insert(m_uncertain.end(), edges.begin(), illegal);
     m_illegal.assign(illegal, edges.end());
-    m_faces_tile_hull = empty() && classification.hull_turns_once();
+    if (empty() && classification.hull_turns_once())
+      m_faces = Faces::TILE_HULL;
   }
 
   // Opens the edges that the log of new edges lists from the i-th on, and the edges around these,
@@ -88,22 +158,15 @@ public:
       return arrays.is_empty_edge(m_uncertain[k]) || m_opened.contains(m_uncertain[k]);
     });
     m_uncertain.insert(m_uncertain.end(), m_opened.begin(), m_opened.end());
-    m_faces_tile_hull = false;
+    m_faces = Faces::UNKNOWN;
   }
 
   // Opens all edges that may not be Delaunay.
   template <class State>
   void take_unproved(const State& state)
   {
-    using Parts = typename State::Parts;
-    const std::size_t edges = state.arrays().number_of_edges();
-    std::vector<std::vector<Index>> open(Parts::number(edges));
-    Parts::for_each(edges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-      typename State::Edge_test(state).append_unproved(Index(first), Index(beyond), open[part]);
-    });
     clear();
-    for (const std::vector<Index>& of_part : open)
-      m_uncertain.insert(m_uncertain.end(), of_part.begin(), of_part.end());
+    append_unproved(state, m_uncertain);
   }
 
   // Closes the uncertain edges that the filter proves.
@@ -122,33 +185,11 @@ public:
     m_illegal.clear();
   }
 
-  // Opens the edges around open ones, because an illegal edge nearby may prevent their flips.
-  template <class State>
-  void open_surroundings(const State& state)
-  {
-    using Parts = typename State::Parts;
-    constexpr std::size_t least = (std::max)(Parts::usual_size / 64, std::size_t(1));
-    const Dynamic_frame_2<State> frame(state);
-    std::vector<Index> vertices;
-    for_each_uncertain_vertex(state, [&](Vertex_index v) { vertices.push_back(v); });
-    make_distinct(vertices); // a vertex may be at many open edges, and see many other edges
-    std::vector<std::vector<Index>> edges(Parts::number(vertices.size(), least));
-    Parts::for_each(vertices.size(), least,
-                    [&](std::size_t part, std::size_t i, std::size_t beyond) {
-                      for (; i < beyond; ++i)
-                        frame.for_each_edge_that_sees(
-                            vertices[i], [&](Edge_index e) { edges[part].push_back(e); });
-                    });
-    for (const std::vector<Index>& list : edges)
-      m_uncertain.insert(m_uncertain.end(), list.begin(), list.end());
-    make_distinct(m_uncertain);
-  }
-
   // Opens these edges, too, then closes all uncertain edges that are Delaunay.
   template <class State>
   void reopen(const State& state, const std::vector<Index>& edges)
   {
-    m_uncertain.insert(m_uncertain.end(), edges.begin(), edges.end());
+    open(edges);
     keep_unproved(state, m_uncertain);
   }
 
@@ -167,9 +208,12 @@ public:
 private:
   std::vector<Index> m_uncertain, m_illegal, m_unproved;
   Index_set_2 m_opened;
-  bool m_faces_tile_hull = false;
+  Goal m_goal = Goal::NONE;
+  Rest m_rest = Rest::UNKNOWN;
+  Hull m_hull = Hull::UNKNOWN;
+  Faces m_faces = Faces::UNKNOWN;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_OPEN_EDGES_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_UPDATE_PROOF_2_H

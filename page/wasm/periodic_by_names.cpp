@@ -5,11 +5,11 @@
 
 namespace page {
 
-std::unique_ptr<Subject> make_periodic_heuristic(const Settings& settings)
+std::unique_ptr<Subject> make_periodic_by_names(const Settings& settings)
 {
   const run::Classifier_choice choice = run::classifier_choice(settings.classifier);
   return bindings::make_by_names<bindings::Periodic_space, Few_kinds>(
-      run::All_classifiers::make(choice, {settings.seed}), run::usual_repair(choice), settings);
+      run::make_classifier(choice, {settings.seed}), run::usual_repair(choice), settings);
 }
 
 } // namespace page

@@ -1,0 +1,116 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_HOLD_TOOL_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_HOLD_TOOL_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Flip_tool_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_context_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// Holds vertices so that no face is inverted, and releases them when all is Delaunay again.
+template <class State>
+class Hold_tool_2
+{
+  using Context = Update_context_2<State>;
+  using Proof = Update_proof_2;
+
+public:
+  Hold_tool_2(Context& context, Flip_tool_2<State>& flips)
+    : m_context(context)
+    , m_flips(flips)
+  {
+  }
+
+  // Whether the only vertex that has moved has to be taken out.
+  bool has_jumped_alone(Vertex_index v) const { return m_context.held.goes_far(v); }
+
+  void hold()
+  {
+    Proof& proof = m_context.proof;
+    if (!m_context.can_hold() || proof.empty())
+      return;
+    if (m_context.task.jumper != null_index)
+      return take_out_jumper();
+    auto& held = m_context.held;
+    const std::size_t most = m_context.most_to_hold();
+    if (!held.hold(proof.uncertain(), most))
+      return m_context.rebuild(held.size() > most ? Rebuild_reason_2::TOO_MUCH_BROKEN
+                                                  : Rebuild_reason_2::STUCK);
+    m_context.budget.spend(held.size() * Cost_model_2::held_vertex);
+    m_changed.clear();
+    held.append_changed_edges(m_changed);
+    if (!m_flips.mend_hull(m_changed))
+      return m_context.rebuild(Rebuild_reason_2::STUCK);
+    proof.set_faces(Proof::Faces::TILE_HULL);
+    typename State::Edge_test(m_context.state).append_unproved(m_changed, proof.uncertain());
+  }
+
+  void release()
+  {
+    if (m_context.held.empty())
+      return;
+    if (!m_context.proof.empty())
+      return m_context.rebuild(Rebuild_reason_2::STUCK);
+    constexpr unsigned max_rounds = 12;
+    const auto flip = [this](const std::vector<Index>& edges) { m_flips.flip_nearby(edges); };
+    for (unsigned round = 0; round < max_rounds && m_context.held.release(flip); ++round)
+      if (!m_context.proof.empty())
+        break;
+    if (!m_context.proof.empty() || !take_out_held())
+      m_context.rebuild(m_context.budget.is_spent() ? Rebuild_reason_2::BUDGET_SPENT
+                                                    : Rebuild_reason_2::STUCK);
+  }
+
+private:
+  // Takes out the only vertex that has moved. Where it rests everything is Delaunay.
+  void take_out_jumper()
+  {
+    m_context.proof.clear();
+    m_context.held.hold_at_rest(m_context.task.jumper);
+    if (!take_out_held())
+      m_context.rebuild(Rebuild_reason_2::STUCK);
+  }
+
+  // Takes out the vertices that are still held, from a Delaunay triangulation. They are put in at
+  // their targets later.
+  bool take_out_held()
+  {
+    return m_context.held.take_out_rest([this](Vertex_index v) {
+      m_context.budget.spend(Cost_model_2::removal);
+      return m_context.can_spare(1) &&
+             (m_context.relocation.take_out_of_delaunay(v) || take_out_of_hull(v));
+    });
+  }
+
+  // Takes out a vertex on the hull, or of high degree, and flips around. Whether the hull turns
+  // around once then is left to the end of the update: walking around a long hull costs more.
+  bool take_out_of_hull(Vertex_index v)
+  {
+    const State& state = m_context.state;
+    Proof& proof = m_context.proof;
+    const std::size_t first_new = state.changes().new_edges.size();
+    if (!m_context.relocation.take_out(v, state.positions()[v]))
+      return false;
+    proof.open_new_edges(state, first_new);
+    m_flips.run(proof.uncertain(), false);
+    return proof.empty();
+  }
+
+  Context& m_context;
+  Flip_tool_2<State>& m_flips;
+  std::vector<Index> m_changed; // edges whose test was changed
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_HOLD_TOOL_2_H

@@ -1,0 +1,143 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_REINSERTION_TOOL_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_REINSERTION_TOOL_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Flip_tool_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Padded_region_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_context_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// The repairs of the thesis where no region can be triangulated apart: on a torus. Flips around the
+// vertices of a region, or takes them out of their faces, to be put in again after the repair. A
+// vertex can be located only where all is Delaunay, so a proof is required then.
+template <class State>
+class Reinsertion_tool_2
+{
+  using Context = Update_context_2<State>;
+
+public:
+  Reinsertion_tool_2(Context& context, Flip_tool_2<State>& flips)
+    : m_context(context)
+    , m_state(context.state)
+    , m_flips(flips)
+    , m_region(context.state)
+  {
+  }
+
+  static void set_engine(Static_engine_2) {}
+
+  // Flips edges around the classified vertices and their padding, and puts in anew the vertices of
+  // edges that cannot be flipped.
+  void splice_classified(unsigned padding)
+  {
+    if (m_context.has_rebuilt())
+      return;
+    m_context.proof.open_illegal();
+    m_region.run(m_context.classification.vertices(), padding);
+    m_context.padded = m_region.padded();
+    m_context.border = m_region.border();
+    m_context.report().padded += m_context.padded.size();
+    m_context.report().border += m_context.border.size();
+    for (const Vertex_index v : m_region.inner())
+      m_context.proof.open_around(m_state, v);
+    make_distinct(m_context.proof.uncertain());
+    m_flips.flip();
+    if (!m_context.is_done())
+      splice_open(0);
+    if (!m_context.proof.is_required())
+      m_context.proof.clear();
+  }
+
+  void splice_open(unsigned padding)
+  {
+    m_context.proof.open_illegal();
+    std::vector<Index> vertices;
+    m_context.proof.for_each_uncertain_vertex(m_state,
+                                              [&](Vertex_index v) { vertices.push_back(v); });
+    put_in_anew(vertices, padding);
+  }
+
+  void relocate() { put_in_anew(m_context.classification.vertices(), 0); }
+
+private:
+  void put_in_anew(const std::vector<Index>& vertices, unsigned padding)
+  {
+    if (m_context.has_rebuilt())
+      return;
+    m_region.run(vertices, padding);
+    const std::vector<Index> region = m_region.inner();
+    if (!m_context.proof.is_required()) {
+      m_context.proof.require();
+      m_context.proof.take_unproved(m_state);
+      m_flips.flip();
+    }
+    if (m_context.has_rebuilt() || region.empty())
+      return;
+    // a sixth of a small torus: more are as much work as triangulating anew
+    const std::size_t most = 10 + m_state.number_of_vertices() / 6;
+    if (!m_context.can_spare(region.size()) ||
+        m_context.relocation.number_waiting() + region.size() > most)
+      return m_context.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+    m_context.budget.allow(region.size() * Cost_model_2::relocation);
+    if (take_out(region))
+      m_flips.flip();
+  }
+
+  // Takes these vertices out if the budget allows it. Skips those whose faces meet images of
+  // themselves, like the lowest point of a slab. Returns whether any is out.
+  bool take_out(const std::vector<Index>& vertices)
+  {
+    const std::size_t price = price_of_taking_out(vertices);
+    if (price > m_context.budget.left()) { // nothing else could mend so many edges either
+      m_context.rebuild(Rebuild_reason_2::BUDGET_SPENT);
+      return false;
+    }
+    const std::size_t first_new = m_state.changes().new_edges.size();
+    constexpr std::size_t ahead = 4; // to prefetch; none of the vertices is outside of all faces
+    bool is_any_out = false;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (i + ahead < vertices.size())
+        m_context.editor.prefetch_around(vertices[i + ahead]);
+      is_any_out |=
+          m_context.relocation.take_out(vertices[i], m_state.previous_position(vertices[i]));
+    }
+    m_context.budget.spend(price);
+    m_context.proof.open_new_edges(m_state, first_new);
+    return is_any_out;
+  }
+
+  // The price of a vertex includes a few flips. A vertex of high degree takes more flips.
+  std::size_t price_of_taking_out(const std::vector<Index>& vertices) const
+  {
+    constexpr std::size_t usual_degree = 8;
+    std::size_t price = 0;
+    for (const Vertex_index v : vertices) {
+      const std::size_t degree = m_state.arrays().degree(v);
+      price +=
+          Cost_model_2::removal + Cost_model_2::flip * (degree - (std::min)(degree, usual_degree));
+    }
+    return price;
+  }
+
+  Context& m_context;
+  const State& m_state;
+  Flip_tool_2<State>& m_flips;
+  Padded_region_2<State> m_region;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_REINSERTION_TOOL_2_H

@@ -1,0 +1,89 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_UPDATE_OUTLOOK_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_UPDATE_OUTLOOK_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_experience_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// What to expect of a frame, before any work is done that a rebuild would discard. Looks at a
+// sample of the edges: at very few if the frame is calm, at more if some of them are broken, or if
+// mending was in vain lately.
+template <class State>
+class Update_outlook_2
+{
+public:
+  Update_outlook_2(const State& state, const Repair_experience_2& experience,
+                   std::size_t price_of_rebuild)
+    : m_frame(state)
+  {
+    constexpr std::size_t few = 32, most = 1024, next_to_none = 2;
+    // the filter alone first, because every frame pays for it
+    const auto is_unproved = [this](Edge_index e) {
+      return !m_frame.is_at_infinity(e) && !m_frame.proves_delaunay(e);
+    };
+    const auto is_broken = [this](Edge_index e) { return !m_frame.is_delaunay(e); };
+    const bool may_be_calm = !experience.has_failed_recently();
+    if (may_be_calm && sample(few, is_unproved).broken < next_to_none)
+      return;
+    Sample taken = sample(few, is_broken);
+    if (may_be_calm && taken.broken < next_to_none)
+      return;
+    const std::size_t edges = m_frame.number_of_edges(), size = (std::min)(edges / 8, most);
+    if (size > few)
+      taken = sample(size, is_broken);
+    const std::size_t broken = edges * taken.broken / taken.size;
+    m_steps = Cost_model_2::steps(broken, edges);
+    m_is_hopeless = experience.is_hopeless(taken.size, taken.broken) ||
+                    price_of_mending(broken) > price_of_rebuild;
+  }
+
+  // Whether a rebuild costs less than mending.
+  bool is_hopeless() const { return m_is_hopeless; }
+  // In how many steps to take the frame.
+  unsigned steps() const { return m_steps; }
+
+private:
+  struct Sample
+  {
+    std::size_t size, broken;
+  };
+
+  // Two of five broken edges are uncertain where mending costs as much as a rebuild. In several
+  // steps it costs an eighth less. A quarter more than necessary, because a sample may be wrong.
+  std::size_t price_of_mending(std::size_t broken) const
+  {
+    const std::size_t price = Cost_model_2::mending(broken * 3 / 5, broken * 2 / 5) * 4 / 5;
+    return m_steps == 1 ? price : price * 7 / 8;
+  }
+
+  // Samples about `size` edges, or all.
+  template <class Is_broken>
+  Sample sample(std::size_t size, const Is_broken& is_broken) const
+  {
+    const std::size_t edges = m_frame.number_of_edges();
+    const std::size_t stride = 1 + edges / size;
+    Sample taken{0, 0};
+    for (std::size_t e = 0; e < edges; e += stride, ++taken.size)
+      taken.broken += is_broken(Index(e));
+    return taken;
+  }
+
+  const Dynamic_frame_2<State> m_frame;
+  bool m_is_hopeless = false;
+  unsigned m_steps = 1;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_UPDATE_OUTLOOK_2_H
