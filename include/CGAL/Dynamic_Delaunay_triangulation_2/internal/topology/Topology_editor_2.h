@@ -500,9 +500,13 @@ public:
   // arrive(). They must stand at their targets.
   void stop_at(double share)
   {
+    // without overflow, whatever the coordinates are; a vertex that rests stays exactly there
+    const auto between = [share](double from, double to) {
+      return from == to ? from : (from - share * from) + share * to;
+    };
     const auto place = [&](Vertex_index v) {
-      const Position_2 rest = m_state.rest_position(v), way = m_state.positions()[v] - rest;
-      return Position_2{rest.x + share * way.x, rest.y + share * way.y};
+      const Position_2 rest = m_state.rest_position(v), target = m_state.positions()[v];
+      return Position_2{between(rest.x, target.x), between(rest.y, target.y)};
     };
     m_positions.template stop_at<typename State::Parts>(place);
   }

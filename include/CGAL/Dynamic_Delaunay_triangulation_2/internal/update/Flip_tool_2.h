@@ -13,7 +13,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_context_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -71,19 +70,14 @@ public:
     return m_edges.empty() && m_context.proof.hull_turns_once(m_state);
   }
 
-  // Flips from edges around a vertex that was moved, where the faces tile the hull before, and
-  // opens those that it cannot prove. If the vertex is on the hull, it has to be looked at in the
-  // end.
+  // Flips from edges around a vertex that was moved, where the faces tile the hull, and opens those
+  // that it cannot prove.
   void flip_nearby(const std::vector<Index>& edges)
   {
     m_edges.clear();
     typename State::Edge_test(m_state).append_unproved(edges, m_edges);
     if (m_edges.empty())
       return;
-    if constexpr (State::has_hull)
-      if (std::any_of(m_edges.begin(), m_edges.end(),
-                      [&](Edge_index e) { return m_state.is_at_infinity(e); }))
-        m_context.proof.set_faces(Proof::Faces::UNKNOWN);
     note(m_lawson.run_nearby(m_state, m_context.editor, m_edges, most_flips()));
     m_context.proof.open(m_edges);
   }

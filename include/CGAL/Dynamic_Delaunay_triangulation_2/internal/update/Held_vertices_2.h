@@ -89,9 +89,8 @@ public:
   // faces around it stay counterclockwise. After each move calls `flip(edges)` with the edges whose
   // test the move may have changed. Returns whether any vertex has moved.
   //
-  // Leaves alone those that go far: moving them through the faces on their way would cost more than
-  // to take them out. A vertex on the hull can leave it dented; then flips at infinity fill the
-  // dents.
+  // Leaves alone the vertices on the hull, which might break it, and those that go far: moving them
+  // through the faces on their way would cost more than to take them out.
   template <class Flip>
   bool release(const Flip& flip)
   {
@@ -303,6 +302,14 @@ private:
            dot(c - b, a - b) > 0 && dot(b - c, a - c) > 0;
   }
 
+  bool is_on_hull(Vertex_index v) const
+  {
+    bool is = false;
+    m_state.arrays().for_each_corner(
+        v, [&](Halfedge_index h) { is = is || m_state.is_infinite_face(Arrays::face_of(h)); });
+    return is;
+  }
+
   // WHO IS HELD, AND WHERE. Plain floating point decides, because a bad decision affects only the
   // cost.
 
@@ -408,7 +415,7 @@ private:
   bool is_to_be_taken_out(const Held& held) const
   {
     if constexpr (State::has_hull)
-      return held.goes_far;
+      return held.goes_far || is_on_hull(held.vertex);
     else
       return held.goes_far && edge_into_gap(held.vertex) == null_index;
   }

@@ -46,9 +46,8 @@ public:
     return flips;
   }
 
-  // Flips from a few edges whose data are in the cache, where the faces tile the convex hull,
-  // except dents that a vertex of the hull has left, or the torus. Leaves in `open` the edges that
-  // it could not prove.
+  // Flips from a few edges whose data are in the cache, where the faces tile the convex hull or the
+  // torus. Leaves in `open` the edges that it could not prove.
   template <class State, class Editor>
   std::size_t run_nearby(const State& state, Editor& editor, std::vector<Index>& open,
                          std::size_t most)
@@ -59,11 +58,8 @@ public:
     m_work.flips = 0;
     m_work.touched.swap(open);
     const auto flip = [&](Halfedge_index h) {
-      const bool can_flip = !State::has_hull || !state.is_at_infinity(state.arrays().edge_of(h)) ||
-                            editor.can_flip(h);
-      if (can_flip)
-        editor.flip(h);
-      return can_flip;
+      editor.flip(h);
+      return true;
     };
     flip_touched(state, limit, flip, m_work);
     open.clear();
