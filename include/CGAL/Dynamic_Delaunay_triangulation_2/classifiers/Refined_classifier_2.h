@@ -21,7 +21,7 @@ namespace internal {
 
 // Whether both of two classifiers are exact, told by the type if both types tell it.
 template <class First, class Second,
-          bool are_known = Knows_exactness<First>::value&& Knows_exactness<Second>::value>
+          bool are_known = (Knows_exactness<First>::value && Knows_exactness<Second>::value)>
 struct Exactness_of_two_2
 {
   static constexpr bool is_exact = First::is_exact && Second::is_exact;

@@ -228,7 +228,7 @@ private:
 
   // STEPS OF A FRAME ----------------------------------------------------------------------------
 
-  // Puts each vertex v at place(v), until arrive_later() or arrive(). Threads share the vertices.
+  // Puts each vertex v at place(v), until go_on() or arrive(). Threads share the vertices.
   template <class Parts, class Function>
   void stop_at(const Function& place)
   {

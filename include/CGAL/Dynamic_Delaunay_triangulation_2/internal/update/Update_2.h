@@ -368,8 +368,7 @@ private:
       steps = 1;
     }
     Circumcircle_classifier_2 classifier;
-    m_context.set_steps(steps);
-    for (m_context.begin_first_step();; m_context.begin_next_step()) {
+    for (m_context.begin_steps(steps);; m_context.begin_next_step()) {
       m_context.classification.clear(m_state);
       classifier(Frame(m_state), m_context.classification);
       m_context.open(task);

@@ -92,12 +92,13 @@ public:
     budget.start_generously(price_of_rebuild());
   }
 
-  // From now on takes the frame in so many steps.
-  void set_steps(unsigned steps) { m_steps = m_steps_left = steps; }
+  // Takes the frame in so many steps: goes to the end of the first one, from where vertices rest.
+  void begin_steps(unsigned steps)
+  {
+    m_steps = m_steps_left = steps;
+    stop();
+  }
   unsigned steps_left() const { return m_steps_left; }
-
-  // Stops all vertices at the end of the first step, which begin where they rest.
-  void begin_first_step() { stop(); }
 
   // Goes on to the end of the next step. Everything must be Delaunay where the vertices stand.
   void begin_next_step()
