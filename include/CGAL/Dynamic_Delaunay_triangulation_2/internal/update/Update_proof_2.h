@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -120,11 +119,8 @@ public:
   void take(const Dynamic_classification_2<State>& classification, const State& state)
   {
     clear();
-    if (classification.is_everything()) {
-      m_uncertain.resize(state.arrays().number_of_edges());
-      std::iota(m_uncertain.begin(), m_uncertain.end(), Index(0));
-      return;
-    }
+    if (classification.is_everything())
+      return open_all(state);
     const Dynamic_frame_2<State> frame(state);
     for (const Vertex_index v : classification.whole_vertices())
       frame.for_each_incident_edge(v, [this](Edge_index e) { m_uncertain.push_back(e); });
@@ -206,6 +202,16 @@ public:
   }
 
 private:
+  // Opens all edges but the empty ones of vertices that an earlier step has taken out.
+  template <class State>
+  void open_all(const State& state)
+  {
+    const auto& arrays = state.arrays();
+    for (Edge_index e = 0; e < arrays.number_of_edges(); ++e)
+      if (!arrays.is_empty_edge(e))
+        m_uncertain.push_back(e);
+  }
+
   std::vector<Index> m_uncertain, m_illegal, m_unproved;
   Index_set_2 m_opened;
   Goal m_goal = Goal::NONE;
