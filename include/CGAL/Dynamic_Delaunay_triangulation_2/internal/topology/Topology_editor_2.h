@@ -144,6 +144,7 @@ public:
   }
 
   // Undoes the flips since the log had this many edges; nothing else may have changed faces.
+  // Faces are as before then, but may have exchanged numbers. The log goes on.
   void undo_flips(std::size_t first)
   {
     const std::size_t beyond = m_changes.new_edges.size();
