@@ -1541,6 +1541,12 @@ TEST(Random_operations, end_exactly_delaunay)
     ASSERT_NO_FATAL_FAILURE(operate_randomly(seed)) << "seed " << seed;
 }
 
+// A step takes vertices out, and leaves their edges empty; in the next one nearly all edges break.
+TEST(Random_operations, end_exactly_delaunay_where_all_breaks_after_a_step)
+{
+  operate_randomly(800);
+}
+
 // The digest of a motion with edges across the border of an oblique cell.
 TEST(Every_processor, leads_to_the_same_bits)
 {

@@ -202,7 +202,8 @@ public:
   }
 
 private:
-  // Opens all edges but the empty ones of vertices that an earlier step has taken out.
+  // Opens all edges, without the empty ones of vertices outside of all faces: an earlier step may
+  // have taken them out.
   template <class State>
   void open_all(const State& state)
   {
