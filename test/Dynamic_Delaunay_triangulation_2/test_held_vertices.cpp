@@ -155,6 +155,56 @@ TEST(Held_vertices, at_the_hull_end_exact)
   }
 }
 
+// Points stray ten boxes away, each for one frame. Those that return leave the hull together, which
+// would fold though all faces are counterclockwise.
+TEST(Held_vertices, need_no_rebuild_where_strays_return)
+{
+  const double side = std::sqrt(2000.);
+  for (unsigned seed = 0; seed < 3; ++seed) {
+    std::mt19937_64 random(seed);
+    const Points home = random_points(random, 2000, side);
+    const auto stray = [&](Points& points, int) {
+      points = home;
+      for (int k = 0; k < 40; ++k) {
+        const double angle = random_between(random, 0., 6.3);
+        points[random() % points.size()] =
+            Point(side / 2 + 10 * side * std::cos(angle), side / 2 + 10 * side * std::sin(angle));
+      }
+    };
+    EXPECT_EQ(number_rebuilt<Dynamic>(home, 10, stray), 0u) << seed;
+  }
+}
+
+// The straight border of a crystal bends: many flat faces there are inverted together. A few flips
+// right them all, and no vertex is taken out.
+TEST(Held_vertices, are_none_where_the_border_of_a_crystal_bends)
+{
+  constexpr int side = 30;
+  Points points;
+  const auto place_all = [&](double time) {
+    points.clear();
+    for (int i = 0; i < side; ++i)
+      for (int j = 0; j < side; ++j) {
+        const Point p(i + (j % 2) * 0.5, j * std::sqrt(0.75));
+        const double wave = 0.3 * std::sin(0.02 * time * p.y() + 0.1 * time);
+        points.emplace_back(p.x() + wave * std::cos(0.05 * p.x()),
+                            p.y() + wave * std::sin(0.04 * p.x()));
+      }
+  };
+  place_all(0);
+  Dynamic dt(points);
+  std::size_t flips = 0;
+  for (int frame = 1; frame < 20; ++frame) {
+    place_all(frame);
+    const auto report = dt.update(points);
+    EXPECT_FALSE(report.rebuilt());
+    EXPECT_EQ(report.relocated, 0u);
+    flips += report.flips;
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points)) << frame;
+  }
+  EXPECT_GT(flips, 500u);
+}
+
 TEST(Held_vertices, merge_where_they_meet_and_part_again)
 {
   std::mt19937_64 random(17);

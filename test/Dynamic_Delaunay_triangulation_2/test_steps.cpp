@@ -97,6 +97,27 @@ TEST(Steps, end_exact_for_any_number_of_points_and_any_step)
   EXPECT_GT(steps, 150);
 }
 
+// Where all points are on the hull, each broken edge takes five flips. A rebuild costs less.
+TEST(Steps, are_not_taken_along_a_circle)
+{
+  constexpr int n = 300;
+  std::mt19937_64 random(3);
+  std::vector<double> places;
+  for (int i = 0; i < n; ++i)
+    places.push_back(i);
+  const auto go_along = [&](Points& points) {
+    points.clear();
+    for (double& place : places) {
+      place += random_between(random, -0.1, 0.1);
+      const double angle = 6.283 * place / n;
+      points.emplace_back(100 * std::cos(angle), 100 * std::sin(angle));
+    }
+  };
+  Points start;
+  go_along(start);
+  EXPECT_GE(tally<Epick>(start, 10, go_along).rebuilt, 8);
+}
+
 // Halfway each point of a pair that changes places is where the other one is.
 TEST(Steps, end_exact_where_points_meet_on_their_ways)
 {

@@ -56,10 +56,14 @@ def mutated(guard):
     return text[: place.start()] + guard["new"] + text[place.end() :]
 
 
+def is_robustness(test):
+    return test.partition(":")[0] == "robustness"
+
+
 def source_of(test):
-    """Of a program, or of some tests in it: `test_filters:Predicates*`."""
+    """Of a program, or of some tests in it: `test_filters:Predicates*`, `robustness:--family jumps --trial 7`."""
     test = test.partition(":")[0]
-    if test == "robustness":
+    if is_robustness(test):
         return ROOT / "benchmark" / PACKAGE / "robustness.cpp"
     if test.startswith("fuzz_"):
         return ROOT / "test" / PACKAGE / "fuzz" / f"{test}.cpp"
@@ -82,8 +86,8 @@ def written_for(test, program):
 def arguments_of(test):
     if test.startswith("distributed_"):
         return []
-    if test == "robustness":
-        return ["--operations", "20000", "--threads", "1"]
+    if is_robustness(test):
+        return test.partition(":")[2].split() or ["--operations", "20000", "--threads", "1"]
     if test.startswith("fuzz_"):
         return [str(MUTATIONS_OF_CORPUS), str(source_of(test).parent / "corpus" / test.removeprefix("fuzz_"))]
     return ["--gtest_fail_fast", f'--gtest_filter={test.partition(":")[2] or "*"}']
@@ -92,7 +96,7 @@ def arguments_of(test):
 def command_of(test, overlay, program):
     folders = [overlay, ROOT / "include", ROOT, ROOT / "test" / PACKAGE, ROOT / "benchmark" / PACKAGE]
     libraries = ["-lgmpxx", "-lgmp", "-lmpfr", "-ltbb", "-lpthread", "-lz"]
-    if test == "robustness":
+    if is_robustness(test):
         options = ["-DNDEBUG", '-DRESULTS_DIR="."']
         libraries = runner_objects() + libraries
     elif test.startswith(("fuzz_", "distributed_")):

@@ -143,6 +143,15 @@ public:
     m_editing.flip(h, m_editing.log()); // throws nothing
   }
 
+  // Undoes the flips since the log had this many edges; nothing else may have changed faces.
+  // Faces are as before then, but may have exchanged numbers. The log goes on.
+  void undo_flips(std::size_t first)
+  {
+    const std::size_t beyond = m_changes.new_edges.size();
+    for (std::size_t i = beyond; i > first; --i)
+      flip(m_arrays.halfedge(m_changes.new_edges[i - 1]));
+  }
+
   // Calls f(part, try_flip) for all parts of `topology`, which threads share. There must be no more
   // than `most` flips. try_flip(h) flips the edge of half-edge h, and returns true, if the edge is
   // inside of the part and the flip doubles no edge, which is not tested if `no_edge_doubles`. If

@@ -54,6 +54,14 @@ public:
     note(m_lawson.run(m_state, m_context.editor, edges, do_faces_tile_hull, most_flips()));
   }
 
+  // Flips at most so often, from these edges, though faces may be inverted. Returns whether that
+  // has proved them all, and that the faces tile the hull.
+  bool try_to_prove(std::vector<Index>& edges, std::size_t most)
+  {
+    note(m_lawson.run(m_state, m_context.editor, edges, false, most));
+    return edges.empty() && m_context.proof.hull_turns_once(m_state);
+  }
+
   // Flips edges at infinity until the hull is convex. No face is inverted. `changed` are edges
   // whose test has changed since the classification. Returns whether the faces tile the hull.
   bool mend_hull(const std::vector<Index>& changed)

@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Hull_turn_2.h>
 
 #include <algorithm>
 #include <array>
@@ -39,26 +40,40 @@ public:
   Held_vertices_2(const State& state, Editor& editor)
     : m_state(state)
     , m_editor(editor)
+    , m_hull_turn(state)
   {
   }
 
   bool empty() const { return m_held.empty(); }
   std::size_t size() const { return m_held.size(); }
 
+  // What to do at the hull, or at the sides of a slab.
+  enum class At_hull {
+    PEEL, // flip faces away that their apex has left through an edge of the hull
+    HOLD  // flip nothing, and hold vertices so that the hull turns as it did at rest
+  };
+
   // Makes all finite faces counterclockwise; only faces at these edges may be inverted. Holds about
   // `most` vertices at most. False if that was not enough.
-  bool hold(const std::vector<Index>& edges, std::size_t most)
+  bool hold(const std::vector<Index>& edges, std::size_t most, At_hull at_hull)
   {
     reserve_bonds();
     m_peeled.clear();
     m_inverted.clear();
+    m_is_hull_held = State::has_hull && at_hull == At_hull::HOLD;
     for (std::size_t i = 0; i < edges.size(); ++i) {
       prefetch_ahead(edges, i);
       const Halfedge_index h = m_state.arrays().halfedge(edges[i]);
       add_if_inverted(Arrays::face_of(h));
       add_if_inverted(Arrays::face_of(m_state.arrays().twin(h)));
     }
-    peel();
+    if (at_hull == At_hull::PEEL)
+      peel();
+    if (m_is_hull_held) {
+      m_hull_turn.find_middle();
+      m_state.arrays().for_each_corner(
+          infinite_index, [&](Halfedge_index h) { add_if_inverted(Arrays::face_of(h)); });
+    }
     while (!m_inverted.empty()) {
       const Face_index f = m_inverted.back();
       if (is_right(f)) {
@@ -201,7 +216,7 @@ private:
   bool is_right(Face_index f) const
   {
     if (m_state.is_infinite_face(f))
-      return true;
+      return !m_is_hull_held || m_hull_turn.is_as_at_rest(f);
     const auto [h, i, k] = Arrays::halfedges_of(f);
     constexpr typename State::Frame frame{};
     const typename State::Predicates predicates(m_state);
@@ -318,16 +333,21 @@ private:
   Vertex_index vertex_to_hold(Face_index f) const
   {
     const std::array<Index, 3> vertices = m_state.face(f);
-    std::array<Position_2, 3> ways;
+    std::array<Position_2, 3> ways{};
     Position_2 sum{0, 0};
-    for (std::size_t i = 0; i < 3; ++i) {
-      ways[i] = displacement(vertices[i]);
-      sum = {sum.x + ways[i].x, sum.y + ways[i].y};
-    }
+    double number = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (vertices[i] != infinite_index) {
+        ways[i] = displacement(vertices[i]);
+        sum = {sum.x + ways[i].x, sum.y + ways[i].y};
+        ++number;
+      }
     Index farthest = null_index, carried = null_index;
     double longest = -1;
     for (std::size_t i = 0; i < 3; ++i) {
-      const Position_2 way{3 * ways[i].x - sum.x, 3 * ways[i].y - sum.y};
+      if (vertices[i] == infinite_index)
+        continue;
+      const Position_2 way{number * ways[i].x - sum.x, number * ways[i].y - sum.y};
       const double squared = dot(way, way);
       if (m_bonds[vertices[i]] == Bond::CARRIED)
         carried = vertices[i];
@@ -476,6 +496,8 @@ private:
 
   const State& m_state;
   Editor& m_editor;
+  Hull_turn_2<State> m_hull_turn;
+  bool m_is_hull_held = false;
   std::vector<Held> m_held;
   std::vector<Bond> m_bonds;     // indexed by vertices; FREE between updates
   std::vector<Index> m_inverted; // faces that may be inverted

@@ -23,6 +23,7 @@ class Hold_tool_2
 {
   using Context = Update_context_2<State>;
   using Proof = Update_proof_2;
+  using At_hull = typename Held_vertices_2<State>::At_hull;
 
 public:
   Hold_tool_2(Context& context, Flip_tool_2<State>& flips)
@@ -41,18 +42,16 @@ public:
       return;
     if (m_context.task.jumper != null_index)
       return take_out_jumper();
-    auto& held = m_context.held;
-    const std::size_t most = m_context.most_to_hold();
-    if (!held.hold(proof.uncertain(), most))
-      return m_context.rebuild(held.size() > most ? Rebuild_reason_2::TOO_MUCH_BROKEN
-                                                  : Rebuild_reason_2::STUCK);
-    m_context.budget.spend(held.size() * Cost_model_2::held_vertex);
-    m_changed.clear();
-    held.append_changed_edges(m_changed);
-    if (!m_flips.mend_hull(m_changed))
-      return m_context.rebuild(Rebuild_reason_2::STUCK);
-    proof.set_faces(Proof::Faces::TILE_HULL);
-    typename State::Edge_test(m_context.state).append_unproved(m_changed, proof.uncertain());
+    const std::size_t first_flip = m_context.state.changes().new_edges.size();
+    if (flips_suffice())
+      return;
+    m_context.editor.undo_flips(first_flip);
+    if (try_to_hold(At_hull::PEEL) || m_context.has_rebuilt())
+      return;
+    m_context.held.let_go();
+    m_context.editor.undo_flips(first_flip);
+    if (!try_to_hold(At_hull::HOLD) && !m_context.has_rebuilt())
+      m_context.rebuild(Rebuild_reason_2::STUCK);
   }
 
   void release()
@@ -72,6 +71,47 @@ public:
   }
 
 private:
+  // Where few faces are inverted, flips nearly always right them all, and nothing need be held: at
+  // steps of 0.01 spacings, and where the border of a crystal bends. Returns whether they have.
+  // Otherwise the uncertain edges are as before, but what was flipped has to be undone.
+  bool flips_suffice()
+  {
+    Proof& proof = m_context.proof;
+    const std::size_t edges = proof.uncertain().size();
+    if (edges > 8 + m_context.state.arrays().number_of_edges() / 256)
+      return false;
+    m_uncertain = proof.uncertain();
+    if (m_flips.try_to_prove(m_uncertain, 20 + 4 * edges)) {
+      proof.uncertain().clear();
+      proof.set_faces(Proof::Faces::TILE_HULL);
+      return true;
+    }
+    return false;
+  }
+
+  // Holds vertices, and makes the hull convex. False if the hull turns more than once even so: if
+  // vertices of the hull have gone far into it, it may fold though all faces are counterclockwise.
+  bool try_to_hold(At_hull at_hull)
+  {
+    Proof& proof = m_context.proof;
+    auto& held = m_context.held;
+    const std::size_t most = m_context.most_to_hold();
+    const bool are_faces_right = held.hold(proof.uncertain(), most, at_hull);
+    m_context.budget.spend(held.size() * Cost_model_2::held_vertex);
+    if (!are_faces_right) {
+      if (held.size() > most)
+        m_context.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
+      return false;
+    }
+    m_changed.clear();
+    held.append_changed_edges(m_changed);
+    if (!m_flips.mend_hull(m_changed))
+      return false;
+    proof.set_faces(Proof::Faces::TILE_HULL);
+    typename State::Edge_test(m_context.state).append_unproved(m_changed, proof.uncertain());
+    return true;
+  }
+
   // Takes out the only vertex that has moved. Where it rests everything is Delaunay.
   void take_out_jumper()
   {
@@ -108,7 +148,8 @@ private:
 
   Context& m_context;
   Flip_tool_2<State>& m_flips;
-  std::vector<Index> m_changed; // edges whose test was changed
+  std::vector<Index> m_uncertain; // edges from which flips were tried
+  std::vector<Index> m_changed;   // edges whose test was changed
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -125,7 +125,7 @@ private:
     const std::size_t faces = state.arrays().number_of_faces(), seeds = open.size();
     const std::size_t parts =
         Parts::number(faces, (std::max)(Parts::usual_size, faces / max_parts));
-    if (parts < Parts::least_shared || seeds < parts * (Parts::usual_size / 256))
+    if (seeds == 0 || parts < Parts::least_shared || seeds < parts * (Parts::usual_size / 256))
       return 0;
     const Topology_parts_2 topology(state.arrays(), state.positions().size(), parts);
     divide<Parts>(topology, parts, open);

@@ -226,8 +226,8 @@ private:
   Plan plan_by_sample(const Change& change, bool was_certified)
   {
     const std::size_t rebuild = m_context.price_of_rebuild();
-    const std::size_t changes =
-        (change.gone.size() + change.coming.size()) * Cost_model_2::insertion;
+    const std::size_t changes = Cost_model_2::changes(change.gone.size() + change.coming.size(),
+                                                      m_state.number_of_vertices());
     const Update_outlook_2<State> outlook(m_state, m_experience,
                                           rebuild - (std::min)(changes, rebuild));
     if (outlook.is_hopeless()) {
@@ -253,7 +253,7 @@ private:
     constexpr std::size_t compared_at_the_price_of_a_change = 512;
     const std::size_t duplicates = m_state.ids().duplicates().size();
     const std::size_t searches = changes * duplicates / compared_at_the_price_of_a_change;
-    return changes > 0 && (changes + searches) * Cost_model_2::insertion >
+    return changes > 0 && Cost_model_2::changes(changes + searches, m_state.number_of_vertices()) >
                               m_context.price_of_rebuild() + Cost_model_2::rebuild(duplicates);
   }
 

@@ -224,7 +224,10 @@ private:
   {
     return price_of(proof.illegal().size(), proof.uncertain().size());
   }
-  std::size_t price_of_changes() const { return task.changes * Cost_model_2::insertion; }
+  std::size_t price_of_changes() const
+  {
+    return Cost_model_2::changes(task.changes, state.number_of_vertices());
+  }
 
   // Clears sets of vertices, whose numbers may have changed.
   void forget_sets()

@@ -28,21 +28,17 @@ public:
     : m_frame(state)
   {
     constexpr std::size_t few = 32, most = 1024, next_to_none = 2;
-    // the filter alone first, because every frame pays for it
-    const auto is_unproved = [this](Edge_index e) {
-      return !m_frame.is_at_infinity(e) && !m_frame.proves_delaunay(e);
-    };
-    const auto is_broken = [this](Edge_index e) { return !m_frame.is_delaunay(e); };
     const bool may_be_calm = !experience.has_failed_recently();
-    if (may_be_calm && sample(few, is_unproved).broken < next_to_none)
+    if (may_be_calm && is_nearly_proved(few, next_to_none))
       return;
-    Sample taken = sample(few, is_broken);
+    Sample taken = sample(few);
     if (may_be_calm && taken.broken < next_to_none)
       return;
     const std::size_t edges = m_frame.number_of_edges(), size = (std::min)(edges / 8, most);
     if (size > few)
-      taken = sample(size, is_broken);
-    const std::size_t broken = edges * taken.broken / taken.size;
+      taken = sample(size);
+    // Where most edges are at the hull, a broken one takes several flips: on a circle five.
+    const std::size_t broken = edges * taken.broken / (std::max)(taken.inner, std::size_t(1));
     m_steps = Cost_model_2::steps(broken, edges);
     m_is_hopeless = experience.is_hopeless(taken.size, taken.broken) ||
                     price_of_mending(broken) > price_of_rebuild;
@@ -56,7 +52,7 @@ public:
 private:
   struct Sample
   {
-    std::size_t size, broken;
+    std::size_t size = 0, inner = 0, broken = 0;
   };
 
   // Two of five broken edges are uncertain where mending costs as much as a rebuild. In several
@@ -67,15 +63,35 @@ private:
     return m_steps == 1 ? price : price * 7 / 8;
   }
 
-  // Samples about `size` edges, or all.
-  template <class Is_broken>
-  Sample sample(std::size_t size, const Is_broken& is_broken) const
+  // Calls f(edge) for about `size` edges, or all.
+  template <class Function>
+  void for_each_sampled(std::size_t size, const Function& f) const
   {
     const std::size_t edges = m_frame.number_of_edges();
     const std::size_t stride = 1 + edges / size;
-    Sample taken{0, 0};
-    for (std::size_t e = 0; e < edges; e += stride, ++taken.size)
-      taken.broken += is_broken(Index(e));
+    for (std::size_t e = 0; e < edges; e += stride)
+      f(Index(e));
+  }
+
+  // Whether the filter alone proves the edges of a sample, all but less than so many. It is asked
+  // first, because every frame pays for it.
+  bool is_nearly_proved(std::size_t size, std::size_t many) const
+  {
+    std::size_t unproved = 0;
+    for_each_sampled(size, [&](Edge_index e) {
+      unproved += !m_frame.is_at_infinity(e) && !m_frame.proves_delaunay(e);
+    });
+    return unproved < many;
+  }
+
+  Sample sample(std::size_t size) const
+  {
+    Sample taken;
+    for_each_sampled(size, [&](Edge_index e) {
+      ++taken.size;
+      taken.inner += !m_frame.is_at_infinity(e);
+      taken.broken += !m_frame.is_delaunay(e);
+    });
     return taken;
   }
 
