@@ -5,7 +5,7 @@
 
 #include "scenario_runner/Number_text.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Decimal_number.h>
 
 #include <algorithm>
 #include <cctype>

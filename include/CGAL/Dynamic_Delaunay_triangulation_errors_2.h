@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Decimal_number.h>
 
 #include <cstddef>
 #include <stdexcept>

@@ -7,10 +7,10 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/User_id_table_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/User_id_table.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
@@ -407,7 +407,7 @@ private:
                                              m_new_points, m_new_ids, cell...);
   }
 
-  using Table = Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<UserId>;
+  using Table = Dynamic_Delaunay_triangulations_2::internal::User_id_table<UserId>;
 
   static constexpr size_type no_id = Table::no_id;
   static constexpr size_type ahead = 8; // how many ids earlier the table is prefetched

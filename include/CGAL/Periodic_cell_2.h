@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
@@ -54,7 +54,7 @@ public:
     , m_bx(bx)
     , m_by(by)
   {
-    const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2 arithmetic;
+    const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point arithmetic;
     for (const double x : {ax, ay, bx, by})
       if (!std::isfinite(x))
         throw Periodic_cell_error_2(ax, ay, bx, by, "its numbers must be finite");

@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_2_conversion_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Periodic_2_conversion_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Origin.h>
 #include <CGAL/Periodic_2_Delaunay_triangulation_2.h>

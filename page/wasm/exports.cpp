@@ -10,7 +10,7 @@
 #include "bindings/Row_iterator.h"
 #include "page/wasm/Subjects.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Decimal_number.h>
 
 #include <emscripten/emscripten.h>
 

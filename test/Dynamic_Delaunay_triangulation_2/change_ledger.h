@@ -10,7 +10,7 @@
 #include "stamps.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_classification_2.h>
 
 #include <gtest/gtest.h>
 

@@ -148,7 +148,9 @@ if(Python3_FOUND)
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/shown_code.py" "${PROJECT_SOURCE_DIR}")
   add_test(NAME cgal_rules
     COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/cgal_rules.py" "${PROJECT_SOURCE_DIR}")
-  set_tests_properties(shown_code cgal_rules PROPERTIES LABELS test TIMEOUT 60)
+  add_test(NAME floors
+    COMMAND "${Python3_EXECUTABLE}" -B "${CMAKE_CURRENT_SOURCE_DIR}/floors.py" "${PROJECT_SOURCE_DIR}")
+  set_tests_properties(shown_code cgal_rules floors PROPERTIES LABELS test TIMEOUT 60)
   find_program(BASH_PROGRAM bash)
   if(BASH_PROGRAM)
     add_test(NAME dev_script

@@ -304,7 +304,7 @@ TEST(Predicates, compute_with_subnormal_numbers_where_a_program_flushes_them)
                   outside = 0;
   outside = smallest * half;
   {
-    const internal::Default_floating_point_2 default_state;
+    const internal::Default_floating_point default_state;
     inside = smallest * half;
   }
   __asm__ volatile("mrs %0, fpcr" : "=r"(after));

@@ -795,7 +795,7 @@ TYPED_TEST(User_ids, name_points_that_come_move_and_go_one_by_one_or_are_refused
 template <class UserId>
 void expect_a_table_like_a_map(const std::vector<UserId>& user_ids, unsigned seed)
 {
-  CGAL::Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<UserId> table;
+  CGAL::Dynamic_Delaunay_triangulations_2::internal::User_id_table<UserId> table;
   std::map<UserId, std::size_t> map;
   std::mt19937_64 random(seed);
   for (int step = 0; step < 4000; ++step) {
@@ -854,7 +854,7 @@ TEST(User_id_table, reads_few_slots_for_ids_that_an_enemy_has_chosen)
        {0x9E3779B97F4A7C15u, 0xC6A4A7935BD1E995u, 0xFF51AFD7ED558CCDu, 0xC4CEB9FE1A85EC53u})
     steps.push_back(inverse(known_factor));
   for (const std::uint64_t step : steps) {
-    CGAL::Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<std::uint64_t> table;
+    CGAL::Dynamic_Delaunay_triangulations_2::internal::User_id_table<std::uint64_t> table;
     table.reserve_extra(number);
     for (std::uint64_t i = 0; i < number; ++i)
       table.set(i * step, i);
@@ -867,7 +867,7 @@ TEST(User_id_table, reads_few_slots_for_ids_that_an_enemy_has_chosen)
 
 TEST(User_id_table, is_empty_after_it_was_moved)
 {
-  CGAL::Dynamic_Delaunay_triangulations_2::internal::User_id_table_2<int> table;
+  CGAL::Dynamic_Delaunay_triangulations_2::internal::User_id_table<int> table;
   table.reserve_extra(2);
   table.set(5, 1);
   auto other = std::move(table);

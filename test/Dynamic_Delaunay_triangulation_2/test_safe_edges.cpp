@@ -1568,7 +1568,7 @@ bool update_in_scarcity(Dynamic& dt, const std::vector<typename Dynamic::Point>&
 
 TEST(Index_set, is_as_it_was_after_an_insertion_that_failed)
 {
-  internal::Index_set_2 set;
+  internal::Index_set set;
   set.clear(1000);
   for (Index i = 0; i < 1000; ++i) {
     try {

@@ -8,7 +8,7 @@
 #include "scenario_runner/Table.h"
 #include "temporary_files.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Decimal_number.h>
 
 #include <gtest/gtest.h>
 

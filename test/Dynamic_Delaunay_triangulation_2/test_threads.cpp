@@ -681,7 +681,7 @@ TEST(Threads, triangulate_all_points_of_a_cell_at_once)
   ASSERT_TRUE(one.run(torus, positions));
   for (const int threads : {1, 2, 3, 8})
     with_threads(threads, [&] {
-      internal::Torus_triangulator_2<internal::Parallel_parts_2<CGAL::Parallel_tag>> builder;
+      internal::Torus_triangulator_2<internal::Parallel_parts<CGAL::Parallel_tag>> builder;
       ASSERT_TRUE(builder.run(torus, positions));
       EXPECT_EQ(builder.faces().apexes, one.faces().apexes);
       EXPECT_EQ(builder.faces().twins, one.faces().twins);
@@ -912,7 +912,7 @@ TEST(Threads, pass_on_what_a_point_map_throws_and_change_nothing)
 
 TEST(Parts, are_a_partition_that_depends_on_the_size_alone)
 {
-  using Parts = internal::Parallel_parts_2<CGAL::Parallel_tag>;
+  using Parts = internal::Parallel_parts<CGAL::Parallel_tag>;
   for (const std::size_t size : {0u, 1u, 99u, 1000u, 65536u, 1234567u}) {
     for (const int threads : {1, 2, 8})
       with_threads(threads, [&] {
@@ -976,7 +976,7 @@ TEST(Parts, flip_only_edges_with_all_vertices_there)
 
 TEST(Parts, throw_what_the_first_one_throws)
 {
-  using Parts = internal::Parallel_parts_2<CGAL::Parallel_tag>;
+  using Parts = internal::Parallel_parts<CGAL::Parallel_tag>;
   for (const int threads : {1, 2, 3, 8})
     for (int run = 0; run < 200; ++run)
       with_threads(threads, [&] {
@@ -995,7 +995,7 @@ TEST(Parts, throw_what_the_first_one_throws)
 // The first part waits until the second one has failed, if that has begun at all.
 TEST(Parts, throw_what_the_first_one_throws_also_where_it_is_not_the_first_to_throw)
 {
-  using Parts = internal::Parallel_parts_2<CGAL::Parallel_tag>;
+  using Parts = internal::Parallel_parts<CGAL::Parallel_tag>;
   using Clock = std::chrono::steady_clock;
   std::atomic<bool> has_failed{false};
   const auto end_of_patience = Clock::now() + std::chrono::seconds(20);
@@ -1016,7 +1016,7 @@ TEST(Parts, throw_what_the_first_one_throws_also_where_it_is_not_the_first_to_th
 
 TEST(Parts, can_be_divided_again)
 {
-  using Parts = internal::Parallel_parts_2<CGAL::Parallel_tag>;
+  using Parts = internal::Parallel_parts<CGAL::Parallel_tag>;
   for (const int threads : {1, 2, 8})
     with_threads(threads, [&] {
       std::atomic<std::size_t> sum{0};

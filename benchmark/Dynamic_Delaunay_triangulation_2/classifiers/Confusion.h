@@ -8,7 +8,7 @@
 #include "scenario_runner/Motion.h"
 #include "scenario_runner/Static_triangulation.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_classification_2.h>
 #include <CGAL/enum.h>
 
 #include <cstddef>

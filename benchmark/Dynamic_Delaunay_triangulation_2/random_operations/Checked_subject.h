@@ -7,9 +7,9 @@
 #include "Subject.h"
 #include "test/Dynamic_Delaunay_triangulation_2/stamps.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/delaunay_agreement.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 

@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <vector>
@@ -155,7 +155,7 @@ private:
   std::vector<double> m_growths;    // of each edge, squared, in the last classified frame
   std::vector<double> m_references; // what relative_square() is compared with
   std::vector<double> m_sums;       // of each vertex
-  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_changed;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set m_changed;
 };
 
 } // namespace CGAL

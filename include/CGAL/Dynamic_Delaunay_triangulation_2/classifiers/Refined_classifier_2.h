@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_classification_2.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -213,8 +213,8 @@ private:
 
   First m_first;
   Second m_second;
-  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_seen;  // edges
-  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_named; // edges, by the second one
+  Dynamic_Delaunay_triangulations_2::internal::Index_set m_seen;  // edges
+  Dynamic_Delaunay_triangulations_2::internal::Index_set m_named; // edges, by the second one
 };
 
 } // namespace CGAL

@@ -6,7 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_slack_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 
@@ -205,7 +206,7 @@ private:
   std::vector<double> m_tolerances;     // of each edge
   std::vector<Index> m_moved;           // vertices that left their disks
   std::vector<Index> m_unproved;
-  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_edges, m_vertices;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set m_edges, m_vertices;
   unsigned m_held = 0;      // the number of frames for which the disks have held
   unsigned m_next_rest = 1; // frames
   unsigned m_rest = 0;      // frames

@@ -6,8 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <limits>
@@ -124,7 +125,7 @@ private:
 
   double m_x;
   std::vector<double> m_limits; // of |bc| - |ad|, for each edge
-  Dynamic_Delaunay_triangulations_2::internal::Index_set_2 m_measured;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set m_measured;
 };
 
 } // namespace CGAL

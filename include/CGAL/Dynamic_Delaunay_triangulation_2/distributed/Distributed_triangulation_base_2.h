@@ -7,9 +7,9 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
@@ -320,7 +320,7 @@ public:
 protected:
   /// \cond
   using Index = Dynamic_Delaunay_triangulations_2::Index;
-  using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point_2;
+  using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
 
   explicit Distributed_triangulation_base_2(MPI_Comm communicator)
     : m_core(communicator)

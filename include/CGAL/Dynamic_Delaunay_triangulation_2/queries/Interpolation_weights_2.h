@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Weights_at_place_2.h>
 #include <CGAL/Periodic_cell_2.h>
@@ -165,7 +165,7 @@ private:
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     using At = Weights_at_place_2<Dynamic>;
-    const Default_floating_point_2 floating_point;
+    const Default_floating_point floating_point;
     const std::vector<typename Dynamic::Point> places(first, beyond);
     std::vector<Weighted_id_2> all;
     std::vector<size_type> offsets;

@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Delaunay_reference_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
@@ -103,7 +103,7 @@ Delaunay_agreement delaunay_agreement(const Maintained& maintained, const Refere
   if constexpr (is_periodic)
     if (maintained.cell() != reference.cell())
       throw std::invalid_argument("delaunay_agreement: the cells are not the same");
-  const Default_floating_point_2 floating_point;
+  const Default_floating_point floating_point;
   const Correct correct(reference);
   std::vector<typename Correct::Place> place_of_id(maintained.number_of_ids());
   for (std::size_t id = 0; id < place_of_id.size(); ++id)

@@ -13,6 +13,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_image_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -59,7 +60,7 @@ public:
   {
   }
 
-  // All functions but const ones and `ranks()` are collective, under `Default_floating_point_2`.
+  // All functions but const ones and `ranks()` are collective, under `Default_floating_point`.
   // Whatever is to be the same on all ranks is compared before it is used.
 
   // Begins with these points, in the space that `make_space()` returns, if it does not throw.

@@ -6,10 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Decimal_number_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Decimal_number.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <boost/crc.hpp>
@@ -272,24 +270,6 @@ private:
   std::string_view m_rest; // the words of the line that were not read yet
   bool m_is_at_end = true;
   std::size_t m_line = 0;
-};
-
-// What a checkpoint keeps of a maintained triangulation: everything that can influence the next
-// update, except for the state of classifiers, repairs and policies.
-template <class Point>
-struct Checkpoint_arrays_2
-{
-  bool positions_are_exact = true;
-  std::vector<Point> points;         // of all finite vertices
-  std::vector<Position_2> positions; // of these points, as doubles; empty for a torus
-  Point_ids_2<Point> ids;
-
-  // Empty if the points do not span the plane: then every frame is triangulated from scratch.
-  Flat_faces_2 faces;
-  // Half-edges by their numbers in the arrays.
-  std::vector<Index> corners;           // of each vertex the one that the arrays store
-  std::vector<Index> forward_halfedges; // of each edge the one from its source to its target
-  std::vector<Index> halfedges;         // of each edge the stored one; of a torus its twin
 };
 
 // What is different in the checkpoints of each space. A writer calls the static functions of these

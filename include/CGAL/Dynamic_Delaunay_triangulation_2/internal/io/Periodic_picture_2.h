@@ -6,8 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/IO/Color.h>
@@ -38,7 +39,7 @@ public:
 
   void draw(bool are_faces_filled) const
   {
-    const Default_floating_point_2 floating_point;
+    const Default_floating_point floating_point;
     for (std::size_t id = 0; id < m_pt.number_of_ids(); ++id)
       if (m_pt.has_id(id) && m_pt.representative(id) == id)
         m_scene.add_point(in_cell(id));

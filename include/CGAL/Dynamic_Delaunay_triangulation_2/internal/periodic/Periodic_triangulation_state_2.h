@@ -6,14 +6,17 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Parallel_parts_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Positions_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Parallel_parts.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_slacks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Periodic_edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_cover_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Positions_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 
 #include <CGAL/enum.h>
@@ -107,7 +110,7 @@ public:
   using Slacks = Periodic_slacks_2;
   using Ids = Point_ids_2<Point>;
 
-  using Parts = Parallel_parts_2<ConcurrencyTag>; // how passes are divided
+  using Parts = Parallel_parts<ConcurrencyTag>; // how passes are divided
 
   static constexpr bool is_periodic = true;
 
@@ -376,6 +379,11 @@ public:
   bool breaks_hull(Edge_index e) const
   {
     return is_at_infinity(e) && Edge_test(*this).state(e) != Edge_state_2::DELAUNAY;
+  }
+  // Whether the faces cover the torus once. Takes exact arithmetic at all faces.
+  bool covers_space() const
+  {
+    return Torus_cover_2<Periodic_triangulation_state_2>(*this).is_single();
   }
 
   bool corners_are_exact(Edge_index e) const { return !is_shifted(e); }

@@ -6,10 +6,12 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Lanes_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Edge_kinds_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Lanes_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
@@ -64,31 +66,6 @@ public:
     return {b - a, c - a, b - d, c - d};
   }
 };
-
-// The condition at an edge depends on which of its four vertices is infinite, if any. Calls
-//   inner()               if none is;
-//   hull_edge(a, b, c)    if the edge goes from b to c, and its only finite face is (a, b, c);
-//   hull_corner(p, q, r)  if the edge goes from q to infinity, and the hull from p through q to r.
-template <class Inner, class Hull_edge, class Hull_corner>
-auto by_kind(const Edge_2& edge, const Inner& inner, const Hull_edge& hull_edge,
-             const Hull_corner& hull_corner)
-{
-  if (edge.left == infinite_index)
-    return hull_edge(edge.right, edge.target, edge.source);
-  if (edge.right == infinite_index)
-    return hull_edge(edge.left, edge.source, edge.target);
-  if (edge.source == infinite_index)
-    return hull_corner(edge.left, edge.target, edge.right);
-  if (edge.target == infinite_index)
-    return hull_corner(edge.right, edge.source, edge.left);
-  return inner();
-}
-
-inline bool is_at_infinity(const Edge_2& edge)
-{
-  return edge.source == infinite_index || edge.target == infinite_index ||
-         edge.left == infinite_index || edge.right == infinite_index;
-}
 
 // THE PASS OVER EDGES -----------------------------------------------------------------------------
 

@@ -6,8 +6,10 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Edge_kinds_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_slack_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 
@@ -241,7 +243,7 @@ private:
   double m_typical_step = 0;
   std::vector<Position_2> m_references; // of each vertex
   std::size_t m_cell_changes = 0;       // before the references were taken
-  Index_set_2 m_tight;
+  Index_set m_tight;
   bool m_hull_is_checked = false;
   bool m_hull_is_safe = false; // it turns around once while no vertex leaves the tolerance
   bool m_hull_stays = false;   // and no vertex at the hull has left it

@@ -6,10 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
@@ -22,50 +21,6 @@
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
-
-// Tests in exact arithmetic whether faces cover a torus once; the manual's page on periodic space
-// has the proof. Shifts that agree along the edges map the faces to the torus. The map's degree is
-// the sum of the faces' areas, negative for clockwise faces, divided by the area of the cell.
-template <class State>
-class Torus_cover_2
-{
-  using Arrays = Halfedge_arrays_2;
-
-public:
-  explicit Torus_cover_2(const State& state)
-    : m_state(state)
-  {
-  }
-
-  bool is_single() const { return do_shifts_agree() && do_areas_sum_up(); }
-
-  bool do_areas_sum_up() const
-  {
-    const Torus_2& torus = m_state.torus();
-    Torus_2::Polynomial<1> area{0, 0}, area_of_cell = torus.exact_double_area();
-    for (Halfedge_index h = 0; h < arrays().number_of_halfedges(); h += 3) {
-      const auto face =
-          torus.exact_double_area(m_state.image(h), m_state.image(h + 1), m_state.image(h + 2));
-      area = {area[0] + face[0], area[1] + face[1]};
-    }
-    if (CGAL::is_negative(area_of_cell[0]))
-      area_of_cell[0] = -area_of_cell[0];
-    return m_state.number_of_vertices() == 0 || area == area_of_cell;
-  }
-
-private:
-  const Arrays& arrays() const { return m_state.arrays(); }
-
-  bool do_shifts_agree() const
-  {
-    for (Halfedge_index h = 0; h < arrays().number_of_halfedges(); ++h)
-      if (!are_equal(m_state.transition(h), no_shift - m_state.transition(arrays().twin(h))))
-        return false;
-    return true;
-  }
-
-  const State& m_state;
-};
 
 // Checks everything that must hold for a maintained triangulation between two calls.
 template <class State>
@@ -83,7 +38,7 @@ public:
     return says(is_data_structure_valid(level), "the triangulation data structure is not valid") &&
            says(is_no_point_lost(is_certified), "a point has no vertex, or not its own") &&
            says(are_arrays_consistent(), "the half-edges are not those of a triangulation") &&
-           says(is_space_covered(), "the faces do not cover the torus once") &&
+           says(m_state.covers_space(), "the faces do not cover the torus once") &&
            says(is_simplicial(), "two edges have the same ends") &&
            says(!is_certified || is_delaunay(), "the triangulation is certified, and not Delaunay");
   }
@@ -166,14 +121,6 @@ private:
            all_of(0, arrays.number_of_halfedges(),
                   [this](Halfedge_index h) { return is_halfedge_consistent(h); }) &&
            all_of(first_vertex, arrays.number_of_vertices(), has_corner);
-  }
-
-  bool is_space_covered() const
-  {
-    if constexpr (State::is_periodic)
-      return Torus_cover_2<State>(m_state).is_single();
-    else
-      return true;
   }
 
   // Whether no two edges have the same ends, as seen from one end, and none ends where it begins.

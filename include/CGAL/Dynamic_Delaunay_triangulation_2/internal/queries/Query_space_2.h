@@ -6,9 +6,10 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
@@ -115,7 +116,7 @@ public:
   using FT = typename Dynamic::Geom_traits::FT;
   using Answer = std::size_t;
   using Site = Index;
-  using Sites = Index_set_2;
+  using Sites = Index_set;
 
   // Throws unless the triangulation is certified and the place is a valid point: the error calls
   // the place `number`. The place must outlive this object.
@@ -251,7 +252,7 @@ private:
   const Position_2& position(std::size_t id) const { return m_frame.position(m_frame.vertex(id)); }
   Image_2 image(const Site& v) const { return {position(v.first), v.second}; }
 
-  const Default_floating_point_2 m_floating_point; // while distances are compared
+  const Default_floating_point m_floating_point; // while distances are compared
   const Dynamic& m_dt;
   const typename Dynamic::Frame m_frame;
   const Torus_2 m_torus;

@@ -6,8 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Floating_point_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/enum.h>
@@ -127,7 +128,7 @@ private:
     return is_surely_smaller(s, t) ? SMALLER : is_surely_smaller(t, s) ? LARGER : EQUAL;
   }
 
-  const Default_floating_point_2 m_floating_point; // while distances are compared
+  const Default_floating_point m_floating_point; // while distances are compared
   const Dynamic& m_dt;
   const typename Dynamic::Frame m_frame;
   const Traits& m_traits;

@@ -6,12 +6,13 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Point_location_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/State_with_place_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Weight_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Point_location_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/Periodic_cell_2.h>
 
@@ -41,9 +42,9 @@ public:
     std::array<std::size_t, 3> places;
   };
 
-  const Kept_list_2<Face>& faces() const { return m_faces; }
+  const Kept_list<Face>& faces() const { return m_faces; }
   // Counterclockwise.
-  const Kept_list_2<Corner>& border() const { return m_border; }
+  const Kept_list<Corner>& border() const { return m_border; }
 
   // Begins with face f, which contains the place, boundary included; `frame` is as seen from there.
   void find(const State& state, Face_index f, const Frame& frame)
@@ -115,9 +116,9 @@ private:
            ON_POSITIVE_SIDE;
   }
 
-  Kept_list_2<Face> m_faces;
-  Kept_list_2<Corner> m_border;
-  Kept_list_2<Entry> m_entries;
+  Kept_list<Face> m_faces;
+  Kept_list<Corner> m_border;
+  Kept_list<Entry> m_entries;
 };
 
 // A point with its weight.

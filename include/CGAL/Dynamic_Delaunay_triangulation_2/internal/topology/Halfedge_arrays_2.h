@@ -6,8 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 
 #include <algorithm>
 #include <array>
@@ -613,9 +614,9 @@ private:
     edge.right = (to & ~is_left) | (edge.right & is_left);
   }
 
-  Uninitialized_vector_2<Halfedge> m_halfedges;
+  Uninitialized_vector<Halfedge> m_halfedges;
   std::vector<Edge_2> m_edges;
-  Uninitialized_vector_2<Index> m_halfedge_of_edge;
+  Uninitialized_vector<Index> m_halfedge_of_edge;
   std::vector<Index> m_corner;
 };
 

@@ -8,7 +8,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Compact_container.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Indexed_storage_2.h>
 #include <CGAL/Handle_hash_function.h>
 #include <CGAL/Triangulation_data_structure_2.h>

@@ -7,8 +7,9 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 
@@ -55,15 +56,15 @@ public:
   };
 
   Index center() const { return m_center; }
-  const Kept_list_2<Side>& sides() const { return m_sides; }
-  const Kept_list_2<Ear>& ears() const { return m_ears; }
+  const Kept_list<Side>& sides() const { return m_sides; }
+  const Kept_list<Ear>& ears() const { return m_ears; }
   bool is_triangulated() const { return m_ears.size() + 2 == m_sides.size(); }
 
   // Whether there are as many faces() and edges() as sides, which putting the center in needs.
   bool has_star() const { return m_faces.size() == m_sides.size(); }
   // The faces inside of the polygon, and the edges between them.
-  const Kept_list_2<Index>& faces() const { return m_faces; }
-  const Kept_list_2<Index>& edges() const { return m_edges; }
+  const Kept_list<Index>& faces() const { return m_faces; }
+  const Kept_list<Index>& edges() const { return m_edges; }
 
   // THE POLYGON -----------------------------------------------------------------------------------
 
@@ -363,10 +364,10 @@ private:
   }
 
   Index m_center = null_index;
-  Kept_list_2<Side> m_sides;
-  Kept_list_2<Index> m_faces, m_edges;
-  Kept_list_2<Open> m_open;
-  Kept_list_2<Ear> m_ears;
+  Kept_list<Side> m_sides;
+  Kept_list<Index> m_faces, m_edges;
+  Kept_list<Open> m_open;
+  Kept_list<Ear> m_ears;
   std::vector<Links> m_links;   // of the corners that are left
   Index m_last = 0;             // one of these corners
   std::vector<Index> m_numbers; // sorted

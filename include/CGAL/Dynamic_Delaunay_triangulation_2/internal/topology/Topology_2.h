@@ -7,9 +7,10 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Delaunay_triangulation_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Point_ids_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Renumbering.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
 
 #include <type_traits>
 #include <utility>
@@ -28,7 +29,7 @@ struct Change_log_2
   bool everything_is_new = true;
   std::vector<Index> new_edges;
   std::vector<Index> relocated; // vertices put into other faces, or given by another image
-  Renumberings_2 renumberings;  // meaningless if everything is new
+  Renumberings renumberings;    // meaningless if everything is new
 
   void clear()
   {

@@ -7,9 +7,9 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Processor_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Triangulation_state_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
@@ -187,8 +187,7 @@ public:
 
   // Replaces `old_faces` by the faces of `patch`. Both have equal numbers of faces and equal
   // boundaries. The half-edge outside the i-th edge of the patch's boundary is `outside[i]`.
-  void replace(const Index_set_2& old_faces, const Patch_2& patch,
-               const std::vector<Index>& outside)
+  void replace(const Index_set& old_faces, const Patch_2& patch, const std::vector<Index>& outside)
   {
     CGAL_precondition(old_faces.size() == patch.number_of_faces());
     CGAL_precondition(outside.size() == patch.boundary.size());
@@ -643,7 +642,7 @@ private:
 
   // REPLACING -----------------------------------------------------------------------------------
 
-  void collect_inner_edges(const Index_set_2& faces)
+  void collect_inner_edges(const Index_set& faces)
   {
     m_inner_edges.clear();
     for (const Face_index f : faces)

@@ -6,7 +6,6 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Flip_tool_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Hold_tool_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Population_tool_2.h>
@@ -14,6 +13,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Splice_tool_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_context_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_classification_2.h>
 
 #include <type_traits>
 

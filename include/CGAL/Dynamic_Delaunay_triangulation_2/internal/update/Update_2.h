@@ -7,12 +7,11 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Input_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_tools_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_choices_2.h>
@@ -20,9 +19,10 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_outlook_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_proof_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Dynamic_mender_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Hold_and_flip_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_classification_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_frame_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_mender_2.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -6,14 +6,14 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Held_vertices_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Vertex_relocation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Held_vertices_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_proof_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Vertex_relocation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_classification_2.h>
 
 #include <algorithm>
 #include <cstddef>

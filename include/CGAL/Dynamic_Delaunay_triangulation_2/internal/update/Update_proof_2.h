@@ -6,10 +6,11 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Dynamic_classification_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/core/Flat_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Dynamic_frame_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_classification_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_frame_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -214,7 +215,7 @@ private:
   }
 
   std::vector<Index> m_uncertain, m_illegal, m_unproved;
-  Index_set_2 m_opened;
+  Index_set m_opened;
   Goal m_goal = Goal::NONE;
   Rest m_rest = Rest::UNKNOWN;
   Hull m_hull = Hull::UNKNOWN;

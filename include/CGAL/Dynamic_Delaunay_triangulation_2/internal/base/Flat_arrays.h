@@ -1,0 +1,256 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_BASE_FLAT_ARRAYS_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_BASE_FLAT_ARRAYS_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+
+#include <boost/core/noinit_adaptor.hpp>
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Dynamic_Delaunay_triangulations_2 {
+/// Index of a vertex, a half-edge, an edge or a face in the flat arrays.
+using Index = std::uint32_t;
+
+/// An index of one kind of elements. Numbers convert to it, but not indices of another kind.
+template <class Element>
+class Index_of
+{
+public:
+  Index_of() = default;
+  constexpr Index_of(Index number)
+    : m_number(number)
+  {
+  }
+  template <class Other>
+  Index_of(Index_of<Other>) = delete;
+
+  constexpr operator Index() const { return m_number; }
+  Index_of& operator++()
+  {
+    ++m_number;
+    return *this;
+  }
+  Index_of operator++(int) { return m_number++; }
+  Index_of& operator+=(Index step)
+  {
+    m_number += step;
+    return *this;
+  }
+
+private:
+  Index m_number;
+};
+
+/// \name Indices of each kind
+/// @{
+using Vertex_index = Index_of<struct Vertex_element>;
+using Halfedge_index = Index_of<struct Halfedge_element>;
+using Edge_index = Index_of<struct Edge_element>;
+using Face_index = Index_of<struct Face_element>;
+using Point_id = Index_of<struct Point_element>; ///< of a point, not of its vertex
+/// @}
+
+namespace internal {
+
+constexpr Index infinite_index = 0;
+constexpr Index null_index = (std::numeric_limits<Index>::max)();
+// The most vertices whose half-edges have numbers that fit into Index: static engines number eight
+// of them per vertex.
+constexpr Index max_vertices = null_index / 8;
+
+// Makes room for `more` further elements, so that appending them cannot throw. Grows by doubling,
+// which `reserve()` alone does not.
+template <class Vector>
+void reserve_extra(Vector& data, std::size_t more)
+{
+  if (data.capacity() < data.size() + more)
+    data.reserve(2 * data.size() + more);
+}
+
+// A vector whose resize() leaves new elements uninitialized. The operating system then gives each
+// page of memory to the thread that writes it first, and not all pages to the thread that resizes.
+template <class T>
+using Uninitialized_vector = std::vector<T, boost::noinit_adaptor<std::allocator<T>>>;
+
+// A list that keeps its memory. Appending to it is one comparison and one store, which compilers
+// inline; std::vector's push_back() is a function that they call.
+template <class T>
+class Kept_list
+{
+public:
+  void clear() { m_size = 0; }
+
+  void push_back(const T& element)
+  {
+    if (m_size == m_elements.size())
+      m_elements.resize(2 * m_size + 8);
+    m_elements[m_size++] = element;
+  }
+  void pop_back() { --m_size; }
+
+  std::size_t size() const { return m_size; }
+  bool empty() const { return m_size == 0; }
+  const T& back() const { return m_elements[m_size - 1]; }
+  const T& operator[](std::size_t i) const { return m_elements[i]; }
+  T& operator[](std::size_t i) { return m_elements[i]; }
+  const T* begin() const { return m_elements.data(); }
+  const T* end() const { return m_elements.data() + m_size; }
+
+private:
+  std::vector<T> m_elements;
+  std::size_t m_size = 0;
+};
+
+// A set of indices below a bound, in the order of insertion. Membership is stored as bits, so that
+// random look-ups stay in the cache. Clearing takes time proportional to the number of members.
+// After the first frames nothing is allocated.
+class Index_set
+{
+public:
+  void clear(std::size_t bound)
+  {
+    for (const Index i : m_members)
+      m_words[i / bits] = 0;
+    m_members.clear();
+    m_words.resize((bound + bits - 1) / bits, 0);
+  }
+
+  bool contains(Index i) const { return m_words[i / bits] >> i % bits & 1; }
+
+  bool insert(Index i)
+  {
+    if (contains(i))
+      return false;
+    m_members.push_back(i); // may throw
+    m_words[i / bits] |= std::uint64_t(1) << i % bits;
+    return true;
+  }
+
+  // Calls f(insert), which may call insert(i) up to `most` times. insert() has no branch: a branch
+  // would be unpredictable where many indices are inserted more than once.
+  template <class Function>
+  void insert_up_to(std::size_t most, const Function& f)
+  {
+    std::size_t size = m_members.size();
+    m_members.resize(size + most);
+    f([&](Index i) {
+      std::uint64_t& word = m_words[i / bits];
+      const std::uint64_t bit = std::uint64_t(1) << i % bits;
+      m_members[size] = i;
+      size += (word & bit) == 0;
+      word |= bit;
+    });
+    m_members.resize(size);
+  }
+
+  // Replaces the content by these indices.
+  void assign(const std::vector<Index>& indices, std::size_t bound)
+  {
+    clear(bound);
+    for (const Index i : indices)
+      insert(i);
+  }
+
+  // Replaces the content by all indices from `first` to below `bound`.
+  void fill(Index first, Index bound)
+  {
+    clear(bound);
+    m_members.resize(bound - first);
+    std::iota(m_members.begin(), m_members.end(), first);
+    for (const Index i : m_members)
+      m_words[i / bits] |= std::uint64_t(1) << i % bits;
+  }
+
+  std::size_t size() const { return m_members.size(); }
+  bool empty() const { return m_members.empty(); }
+  Index operator[](std::size_t i) const { return m_members[i]; }
+  const std::vector<Index>& members() const { return m_members; }
+  auto begin() const { return m_members.begin(); }
+  auto end() const { return m_members.end(); }
+
+private:
+  static constexpr Index bits = 64;
+
+  std::vector<Index> m_members;
+  std::vector<std::uint64_t> m_words;
+};
+
+// Sorts the indices and removes repeated ones, by one bit per number from smallest to largest.
+// Returns false and changes nothing if scanning the bits would take longer than sorting.
+inline bool make_distinct_by_bits(std::vector<Index>& indices)
+{
+  constexpr std::size_t few = 64, words_per_index = 8;
+  constexpr Index bits = 64;
+  if (indices.size() < few)
+    return false;
+  const auto [smallest, largest] = std::minmax_element(indices.begin(), indices.end());
+  const Index first = *smallest;
+  const std::size_t words = (*largest - first) / bits + std::size_t(1);
+  if (words / words_per_index > indices.size())
+    return false;
+  std::vector<std::uint64_t> are_there(words);
+  for (const Index i : indices)
+    are_there[(i - first) / bits] |= std::uint64_t(1) << (i - first) % bits;
+  auto place = indices.begin();
+  for (std::size_t w = 0; w < words; ++w)
+    for (std::uint64_t word = are_there[w]; word != 0; word &= word - 1)
+      *place++ = first + Index(w) * bits + lowest_bit(word);
+  indices.erase(place, indices.end());
+  return true;
+}
+
+// Sorts the indices and removes repeated ones. If they are many, sorting takes some 50 ns each.
+inline void make_distinct(std::vector<Index>& indices)
+{
+  if (make_distinct_by_bits(indices))
+    return;
+  boost::sort::spreadsort::integer_sort(indices.begin(), indices.end());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+}
+
+// Removes the i-th of the indices if is(i, beyond). Threads share the calls: `beyond` is the end of
+// the part with i, up to which `is` may fetch ahead.
+template <class Parts, class Predicate>
+void remove_by_parts(std::vector<Index>& indices, std::size_t least, const Predicate& is)
+{
+  Parts::for_each(indices.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
+    for (; i < beyond; ++i)
+      if (is(i, beyond))
+        indices[i] = null_index;
+  });
+  indices.erase(std::remove(indices.begin(), indices.end(), null_index), indices.end());
+}
+
+// Throws if an id occurs more than once.
+template <class Id>
+void check_distinct(const std::vector<Id>& given)
+{
+  if (given.size() < 2) // most calls move or remove a single point
+    return;
+  std::vector<Id> ids = given;
+  std::sort(ids.begin(), ids.end());
+  const auto twice = std::adjacent_find(ids.begin(), ids.end());
+  if (twice != ids.end())
+    throw Repeated_id_error_2(*twice);
+}
+
+} // namespace internal
+} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_BASE_FLAT_ARRAYS_H

@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_BASE_RENUMBERING_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_BASE_RENUMBERING_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <unordered_set>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// How the numbers of vertices, edges or faces have changed in a call. The last element takes the
+// number of a removed one. An added element takes the number of a removed one, or the next number.
+class Renumbering
+{
+public:
+  bool is_none() const { return m_kept == null_index && m_moves.empty(); }
+
+  // Reserves memory to note so many removals. Then only follow() can throw.
+  void reserve_extra(std::size_t number) { m_moves.reserve(m_moves.size() + number); }
+
+  void clear()
+  {
+    m_moves.clear();
+    m_kept = null_index;
+  }
+
+  // The last element takes the number of a removed one.
+  void note_move(Index last, Index to)
+  {
+    const bool has_come = last >= m_kept;
+    m_kept = (std::min)(m_kept, last);
+    if (to < m_kept)
+      m_moves.emplace_back(has_come ? null_index : last, to);
+  }
+
+  // An added element takes the number of a removed one.
+  void note_replacement(Index i)
+  {
+    if (i < m_kept)
+      m_moves.emplace_back(null_index, i);
+  }
+
+  // Added elements get the numbers from `first` on.
+  void note_appended(Index first) { m_kept = (std::min)(m_kept, first); }
+
+  // Renumbers `data`, one entry per element, in the same way. `make(i)` makes the entry of an added
+  // element, whose number is i.
+  template <class T, class Make>
+  void follow(std::vector<T>& data, std::size_t size, const Make& make) const
+  {
+    std::unordered_set<Index> come; // added elements that have the number of a removed one
+    for (const auto& [from, to] : m_moves) {
+      come.erase(to);
+      if (from == null_index || come.erase(from) > 0)
+        come.insert(to);
+      else if (from < data.size())
+        data[to] = data[from];
+    }
+    if (m_kept < data.size())
+      data.erase(data.begin() + std::ptrdiff_t(m_kept), data.end());
+    while (data.size() < size)
+      data.push_back(make(Index(data.size())));
+    for (const Index i : come)
+      if (i < m_kept)
+        data[i] = make(i);
+  }
+
+private:
+  // Moves in order, from number to number; from `null_index` if the element was added in this call.
+  std::vector<std::pair<Index, Index>> m_moves;
+  Index m_kept = null_index; // elements that existed before the call have smaller numbers
+};
+
+struct Renumberings
+{
+  Renumbering vertices, edges, faces;
+
+  bool are_none() const { return vertices.is_none() && edges.is_none() && faces.is_none(); }
+
+  void reserve_for_removals(std::size_t number)
+  {
+    vertices.reserve_extra(number);
+    edges.reserve_extra(3 * number);
+    faces.reserve_extra(2 * number);
+  }
+
+  void clear()
+  {
+    vertices.clear();
+    edges.clear();
+    faces.clear();
+  }
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_BASE_RENUMBERING_H

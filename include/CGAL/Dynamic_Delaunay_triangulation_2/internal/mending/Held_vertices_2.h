@@ -1,0 +1,511 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_MENDING_HELD_VERTICES_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_MENDING_HELD_VERTICES_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Hull_turn_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// Holds vertices back so that no face is inverted. Flips then end with the Delaunay triangulation
+// of the positions as they stand. After that, lets the held vertices move on to their targets.
+//
+// Where the vertices rest, all faces must be counterclockwise: at their positions before the
+// motion. A held vertex is first carried along: it goes where the mean displacement of its free
+// neighbors takes it. If a face around it is inverted even so, it stays at its rest position. This
+// ends: with all vertices at rest, no face is inverted.
+template <class State>
+class Held_vertices_2
+{
+  using Arrays = Halfedge_arrays_2;
+  using Editor = Topology_editor_2<State>;
+  using Stored_point = typename State::Positions::Stored_point;
+  static constexpr bool can_place = State::Positions::can_place;
+
+public:
+  Held_vertices_2(const State& state, Editor& editor)
+    : m_state(state)
+    , m_editor(editor)
+    , m_hull_turn(state)
+  {
+  }
+
+  bool empty() const { return m_held.empty(); }
+  std::size_t size() const { return m_held.size(); }
+
+  // What to do at the hull, or at the sides of a slab.
+  enum class At_hull {
+    PEEL, // flip faces away that their apex has left through an edge of the hull
+    HOLD  // flip nothing, and hold vertices so that the hull turns as it did at rest
+  };
+
+  // Makes all finite faces counterclockwise; only faces at these edges may be inverted. Holds about
+  // `most` vertices at most. False if that was not enough.
+  bool hold(const std::vector<Index>& edges, std::size_t most, At_hull at_hull)
+  {
+    reserve_bonds();
+    m_peeled.clear();
+    m_inverted.clear();
+    m_is_hull_held = State::has_hull && at_hull == At_hull::HOLD;
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      prefetch_ahead(edges, i);
+      const Halfedge_index h = m_state.arrays().halfedge(edges[i]);
+      add_if_inverted(Arrays::face_of(h));
+      add_if_inverted(Arrays::face_of(m_state.arrays().twin(h)));
+    }
+    if (at_hull == At_hull::PEEL)
+      peel();
+    if (m_is_hull_held) {
+      m_hull_turn.find_middle();
+      m_state.arrays().for_each_corner(
+          infinite_index, [&](Halfedge_index h) { add_if_inverted(Arrays::face_of(h)); });
+    }
+    while (!m_inverted.empty()) {
+      const Face_index f = m_inverted.back();
+      if (is_right(f)) {
+        m_inverted.pop_back();
+        continue;
+      }
+      const Vertex_index v = vertex_to_hold(f);
+      if (v == null_index || m_held.size() > most)
+        return false;
+      hold(v);
+    }
+    std::sort(m_held.begin(), m_held.end(), // nearly a spatial order
+              [](const Held& a, const Held& b) { return a.vertex < b.vertex; });
+    return true;
+  }
+
+  // Lists the edges whose test hold() may have changed.
+  void append_changed_edges(std::vector<Index>& edges) const
+  {
+    for (std::size_t i = 0; i < m_held.size(); ++i) {
+      prefetch_stars(i);
+      append_edges_that_see(m_held[i].vertex, edges);
+    }
+    edges.insert(edges.end(), m_peeled.begin(), m_peeled.end());
+  }
+
+  // Moves each held vertex on, the whole way to its target, half of it or a quarter, as far as the
+  // faces around it stay counterclockwise. After each move calls `flip(edges)` with the edges whose
+  // test the move may have changed. Returns whether any vertex has moved.
+  //
+  // Leaves alone the vertices on the hull, which might break it, and those that go far: moving them
+  // through the faces on their way would cost more than to take them out.
+  template <class Flip>
+  bool release(const Flip& flip)
+  {
+    std::size_t kept = 0;
+    bool has_any_moved = false;
+    for (std::size_t i = 0; i < m_held.size(); ++i) {
+      prefetch_stars(i);
+      const Held held = m_held[i];
+      m_changed.clear();
+      const double share = is_to_be_taken_out(held) ? 0 : move_on(held);
+      has_any_moved = has_any_moved || share > 0;
+      if (!m_changed.empty())
+        flip(m_changed);
+      if (share == 1)
+        m_bonds[held.vertex] = Bond::FREE;
+      else
+        m_held[kept++] = held;
+    }
+    m_held.resize(kept);
+    return has_any_moved;
+  }
+
+  // Calls take_out(v) for each vertex v that is still held, until that returns false. Puts all of
+  // them at their targets then. Returns whether all were taken out.
+  template <class Take_out>
+  bool take_out_rest(const Take_out& take_out)
+  {
+    const bool are_out = std::all_of(m_held.begin(), m_held.end(),
+                                     [&](const Held& held) { return take_out(held.vertex); });
+    let_go();
+    return are_out;
+  }
+
+  // Puts all held vertices at their targets, whatever that does to faces.
+  void let_go()
+  {
+    for (const Held& held : m_held) {
+      m_editor.restore(held.vertex, held.target);
+      m_bonds[held.vertex] = Bond::FREE;
+    }
+    m_held.clear();
+  }
+
+  // Whether the way of v, relative to its neighbors, is longer than its edges were.
+  bool goes_far(Vertex_index v) const { return goes_far(v, mean_displacement(v)); }
+
+  // Holds a vertex that is not held yet, whatever its faces are.
+  void hold_at_rest(Vertex_index v)
+  {
+    reserve_bonds();
+    m_held.push_back({v, true, m_editor.stored(v)});
+    put_to_rest(v);
+  }
+
+private:
+  enum class Bond : std::uint8_t { FREE, CARRIED, AT_REST };
+
+  struct Held
+  {
+    Vertex_index vertex;
+    bool goes_far;
+    Stored_point target;
+  };
+
+  // MEMORY --------------------------------------------------------------------------------------
+
+  // Fetches the corners of the faces at an edge that is due soon.
+  void prefetch_ahead(const std::vector<Index>& edges, std::size_t i) const
+  {
+    constexpr std::size_t near_ahead = 8, ahead = 16, far_ahead = 24;
+    const auto& arrays = m_state.arrays();
+    if (i + far_ahead >= edges.size())
+      return;
+    arrays.prefetch_edge(edges[i + far_ahead]);
+    arrays.prefetch_face_at(edges[i + ahead]);
+    prefetch_corners(arrays.edge(edges[i + ahead]), m_state.positions().data());
+    arrays.prefetch_face_beyond(edges[i + near_ahead]);
+  }
+
+  // Before every eighth held vertex, fetches what the next eight have around them. Walks around all
+  // of them in step, so that each step waits for memory once.
+  void prefetch_stars(std::size_t first) const
+  {
+    constexpr std::size_t stretch = 8, usual_degree = 6;
+    if (first % stretch != 0)
+      return;
+    const auto& arrays = m_state.arrays();
+    const Position_2* const positions = m_state.positions().data();
+    std::array<Halfedge_index, stretch> corners;
+    const std::size_t number = (std::min)(stretch, m_held.size() - first);
+    for (std::size_t i = 0; i < number; ++i) {
+      corners[i] = arrays.corner(m_held[first + i].vertex);
+      arrays.prefetch_face(corners[i]);
+    }
+    for (std::size_t step = 0; step < usual_degree; ++step)
+      for (std::size_t i = 0; i < number; ++i) {
+        const Halfedge_index h = corners[i];
+        prefetch(positions + arrays.apex(Arrays::next(h)));
+        arrays.prefetch_edge(arrays.edge_of(h));
+        arrays.prefetch_edge(arrays.edge_of(Arrays::previous(h)));
+        corners[i] = arrays.next_corner(h);
+        arrays.prefetch_face(corners[i]);
+      }
+  }
+
+  // FACES ---------------------------------------------------------------------------------------
+
+  bool is_right(Face_index f) const
+  {
+    if (m_state.is_infinite_face(f))
+      return !m_is_hull_held || m_hull_turn.is_as_at_rest(f);
+    const auto [h, i, k] = Arrays::halfedges_of(f);
+    constexpr typename State::Frame frame{};
+    const typename State::Predicates predicates(m_state);
+    return predicates.orientation(m_state.corner_in(h, frame), m_state.corner_in(i, frame),
+                                  m_state.corner_in(k, frame)) == LEFT_TURN;
+  }
+
+  void add_if_inverted(Face_index f)
+  {
+    if (!is_right(f))
+      m_inverted.push_back(f);
+  }
+
+  bool is_star_right(Vertex_index v) const
+  {
+    const auto& arrays = m_state.arrays();
+    const Index first = arrays.corner(v);
+    Halfedge_index h = first;
+    do {
+      if (!is_right(Arrays::face_of(h)))
+        return false;
+      h = arrays.next_corner(h);
+    } while (h != first);
+    return true;
+  }
+
+  void append_edges_that_see(Vertex_index v, std::vector<Index>& edges) const
+  {
+    const auto& arrays = m_state.arrays();
+    arrays.for_each_corner(v, [&](Halfedge_index h) {
+      edges.push_back(arrays.edge_of(h));
+      edges.push_back(arrays.edge_of(Arrays::previous(h)));
+    });
+  }
+
+  // THE HULL, OR THE SIDES OF A SLAB --------------------------------------------------------------
+
+  // Flips edges of the hull through which the vertex opposite to them has left. All other faces
+  // stay.
+  void peel()
+  {
+    for (std::size_t i = 0; i < m_inverted.size(); ++i)
+      for (const Halfedge_index h : Arrays::halfedges_of(m_inverted[i]))
+        if (m_state.is_hull_edge(h) && has_left_through(h)) {
+          const auto& arrays = m_state.arrays();
+          const Halfedge_index left = arrays.twin(Arrays::next(h)),
+                               right = arrays.twin(Arrays::previous(h));
+          flip_and_note(h, m_peeled);
+          add_if_inverted(Arrays::face_of(left));
+          add_if_inverted(Arrays::face_of(right));
+          break;
+        }
+  }
+
+  // Flips, and lists the edges whose test that may have changed.
+  void flip_and_note(Halfedge_index h, std::vector<Index>& edges)
+  {
+    const Edge_index e = m_state.arrays().edge_of(h);
+    m_editor.flip(h);
+    edges.push_back(e);
+    m_state.arrays().for_each_side(e, [&](Edge_index side) { edges.push_back(side); });
+  }
+
+  bool has_left_through(Halfedge_index h) const
+  {
+    const auto& arrays = m_state.arrays();
+    if constexpr (State::has_hull) {
+      const typename State::Edge_test test(m_state);
+      return is_over(h) && test.state(arrays.edge_of(h)) == Edge_state_2::INVERTED &&
+             m_editor.can_flip(h);
+    } else
+      return can_flip_into_gap(h);
+  }
+
+  // Whether the edge of h, on a side of a slab, can be flipped so that both new faces are
+  // counterclockwise.
+  bool can_flip_into_gap(Halfedge_index h) const
+  {
+    constexpr typename State::Frame frame{};
+    const auto a = m_state.corner_in(h, frame);
+    const auto b = m_state.corner_in(Arrays::next(h), frame);
+    const auto c = m_state.corner_in(Arrays::previous(h), frame);
+    const auto d = m_state.corner_in(m_state.arrays().twin(h), m_state.frame_beyond(h, frame));
+    const typename State::Predicates predicates(m_state);
+    return predicates.orientation(a, b, d) == LEFT_TURN &&
+           predicates.orientation(d, c, a) == LEFT_TURN && m_editor.can_flip(h);
+  }
+
+  // Whether the apex of h projects onto the edge of h, and the edge has not turned around. If not,
+  // one end of the edge has moved past the other: flipping the edge would let the hull turn twice.
+  bool is_over(Halfedge_index h) const
+  {
+    const auto& arrays = m_state.arrays();
+    const Vertex_index v = arrays.source(h), w = arrays.target(h);
+    const Position_2 a = m_state.positions()[arrays.apex(h)], b = m_state.positions()[v],
+                     c = m_state.positions()[w];
+    return dot(c - b, m_state.rest_position(w) - m_state.rest_position(v)) > 0 &&
+           dot(c - b, a - b) > 0 && dot(b - c, a - c) > 0;
+  }
+
+  bool is_on_hull(Vertex_index v) const
+  {
+    bool is = false;
+    m_state.arrays().for_each_corner(
+        v, [&](Halfedge_index h) { is = is || m_state.is_infinite_face(Arrays::face_of(h)); });
+    return is;
+  }
+
+  // WHO IS HELD, AND WHERE. Plain floating point decides, because a bad decision affects only the
+  // cost.
+
+  // Returns the free vertex of a face whose displacement differs most from the face's mean, or else
+  // one that is carried, if there is any.
+  Vertex_index vertex_to_hold(Face_index f) const
+  {
+    const std::array<Index, 3> vertices = m_state.face(f);
+    std::array<Position_2, 3> ways{};
+    Position_2 sum{0, 0};
+    double number = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (vertices[i] != infinite_index) {
+        ways[i] = displacement(vertices[i]);
+        sum = {sum.x + ways[i].x, sum.y + ways[i].y};
+        ++number;
+      }
+    Index farthest = null_index, carried = null_index;
+    double longest = -1;
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (vertices[i] == infinite_index)
+        continue;
+      const Position_2 way{number * ways[i].x - sum.x, number * ways[i].y - sum.y};
+      const double squared = dot(way, way);
+      if (m_bonds[vertices[i]] == Bond::CARRIED)
+        carried = vertices[i];
+      else if (m_bonds[vertices[i]] == Bond::FREE && squared > longest) {
+        longest = squared;
+        farthest = vertices[i];
+      }
+    }
+    return farthest != null_index ? farthest : carried;
+  }
+
+  void hold(Vertex_index v)
+  {
+    if (m_bonds[v] == Bond::FREE) {
+      const Position_2 mean = mean_displacement(v);
+      m_held.push_back({v, goes_far(v, mean), m_editor.stored(v)});
+      carry(v, mean);
+    } else
+      put_to_rest(v);
+    m_state.arrays().for_each_corner(
+        v, [&](Halfedge_index h) { add_if_inverted(Arrays::face_of(h)); });
+  }
+
+  // A vertex that has not moved is at rest already; if points move alone, no other array has its
+  // rest position. Nor is a vertex carried beyond the limit of coordinates.
+  void carry(Vertex_index v, const Position_2& mean)
+  {
+    const Position_2 rest = m_state.rest_position(v), way = displacement(v);
+    const Position_2 place{rest.x + mean.x, rest.y + mean.y};
+    const bool can_go =
+        (way.x != 0 || way.y != 0) && is_within_limit(place.x) && is_within_limit(place.y);
+    if (!can_place || !can_go)
+      return put_to_rest(v);
+    if constexpr (can_place) {
+      m_bonds[v] = Bond::CARRIED;
+      m_editor.place(v, place);
+    }
+  }
+
+  bool is_held(Vertex_index v) const { return v < m_bonds.size() && m_bonds[v] != Bond::FREE; }
+
+  void put_to_rest(Vertex_index v)
+  {
+    m_bonds[v] = Bond::AT_REST;
+    m_editor.put_to_rest(v);
+  }
+
+  void reserve_bonds()
+  {
+    m_bonds.resize((std::max)(m_bonds.size(), m_state.positions().size()), Bond::FREE);
+  }
+
+  Position_2 displacement(Vertex_index v) const
+  {
+    return m_state.positions()[v] - m_state.rest_position(v);
+  }
+
+  // The mean displacement of the free neighbors of v; 0 if there are none.
+  Position_2 mean_displacement(Vertex_index v) const
+  {
+    Position_2 sum{0, 0};
+    double number = 0;
+    m_state.for_each_finite_neighbor(v, [&](Vertex_index w, const auto&...) {
+      if (is_held(w))
+        return;
+      const Position_2 way = displacement(w);
+      sum = {sum.x + way.x, sum.y + way.y};
+      ++number;
+    });
+    return number == 0 ? sum : Position_2{sum.x / number, sum.y / number};
+  }
+
+  // Whether the way of v, relative to this mean displacement, is longer than its edges were.
+  bool goes_far(Vertex_index v, const Position_2& mean) const
+  {
+    const Position_2 way = displacement(v) - mean, rest = m_state.rest_position(v);
+    const double squared = dot(way, way);
+    bool is_far = true;
+    m_state.for_each_finite_neighbor(v, [&](Vertex_index w, const auto&...) {
+      is_far = is_far && squared > m_state.rounded_squared_distance(rest, m_state.rest_position(w));
+    });
+    return is_far;
+  }
+
+  bool is_to_be_taken_out(const Held& held) const
+  {
+    if constexpr (State::has_hull)
+      return held.goes_far || is_on_hull(held.vertex);
+    else
+      return held.goes_far && edge_into_gap(held.vertex) == null_index;
+  }
+
+  // Returns the share of the way to its target that the vertex has moved. Lists the edges whose
+  // test that may have changed.
+  double move_on(const Held& held)
+  {
+    double share = move_in_star(held);
+    if constexpr (!State::has_hull)
+      while (share == 0) {
+        const Index h = edge_into_gap(held.vertex);
+        if (h == null_index)
+          break;
+        flip_and_note(h, m_changed);
+        share = move_in_star(held);
+      }
+    if (share > 0)
+      append_edges_that_see(held.vertex, m_changed);
+    return share;
+  }
+
+  // A vertex on a side of a slab may be unable to leave that side, and the only one there, whose
+  // faces meet images of themselves, cannot be taken out. But its edges along the side can be
+  // flipped into the gap. Returns such an edge, as a half-edge, or `null_index`. Each flip takes an
+  // edge from the vertex, so there are only a few.
+  Index edge_into_gap(Vertex_index v) const
+  {
+    const auto& arrays = m_state.arrays();
+    Index found = null_index;
+    arrays.for_each_corner(v, [&](Halfedge_index h) {
+      for (const Halfedge_index along : {Arrays::next(h), Arrays::previous(h)})
+        if (found == null_index && m_state.is_hull_edge(along) && can_flip_into_gap(along))
+          found = along;
+    });
+    return found;
+  }
+
+  double move_in_star(const Held& held)
+  {
+    const Vertex_index v = held.vertex;
+    const Position_2 here = m_state.positions()[v];
+    const Stored_point stored = m_editor.stored(v);
+    m_editor.restore(v, held.target);
+    if (is_star_right(v))
+      return 1;
+    if constexpr (can_place) {
+      const Position_2 way = m_state.positions()[v] - here;
+      for (const double share : {0.5, 0.25}) {
+        m_editor.place(v, {here.x + share * way.x, here.y + share * way.y});
+        if (is_star_right(v))
+          return share;
+      }
+    }
+    m_editor.restore(v, stored);
+    return 0;
+  }
+
+  const State& m_state;
+  Editor& m_editor;
+  Hull_turn_2<State> m_hull_turn;
+  bool m_is_hull_held = false;
+  std::vector<Held> m_held;
+  std::vector<Bond> m_bonds;     // indexed by vertices; FREE between updates
+  std::vector<Index> m_inverted; // faces that may be inverted
+  std::vector<Index> m_peeled;   // hull edges that were flipped, and edges around them
+  std::vector<Index> m_changed;  // edges around the vertex that has moved last
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_MENDING_HELD_VERTICES_2_H

@@ -1,0 +1,464 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_MENDING_VERTEX_RELOCATION_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_MENDING_VERTEX_RELOCATION_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Point_location_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Spatial_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
+
+#include <boost/iterator/counting_iterator.hpp>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// Vertices that jump, merge and part, and points that come and go, in one update. First vertices
+// are taken out of their faces: jumpers wait, vertices without points leave an empty slot. Then the
+// waiting vertices and the new points are put in, all of them along a Hilbert curve. New points
+// take empty slots, if there are any. In the end the remaining empty slots are dropped.
+//
+// If an exception ends the update, each insertion and removal is either complete or not begun, and
+// all vertices are in some face.
+template <class State>
+class Vertex_relocation_2
+{
+  using Editor = Topology_editor_2<State>;
+  using Slot = typename Editor::Slot;
+  using Point = typename State::Point;
+  using Place = Place_2<State>;
+
+public:
+  Vertex_relocation_2(State& state, Editor& editor)
+    : m_state(state)
+    , m_editor(editor)
+    , m_location(state)
+    , m_meeting_order(state)
+  {
+  }
+
+  // Announces points to be inserted, with the next ids, after the removals. Swaps the lists for
+  // others, unless it throws.
+  void announce(std::vector<Index>& ids, std::vector<Point>& points)
+  {
+    m_editor.reserve_ids(ids); // nothing throws from here on
+    announce_reserved(ids, points);
+  }
+  // Announces points whose ids need not be reserved: no other point has them. Throws nothing.
+  void announce_reserved(std::vector<Index>& ids, std::vector<Point>& points)
+  {
+    m_coming_ids.swap(ids);
+    m_coming_points.swap(points);
+  }
+
+  // Calls f(id, point) for the announced points that are not inserted yet.
+  template <class Function>
+  void for_each_coming(const Function& f) const
+  {
+    for (std::size_t i = 0; i < m_coming_ids.size(); ++i)
+      if (!m_state.ids().is_taken(m_coming_ids[i]))
+        f(m_coming_ids[i], m_coming_points[i]);
+  }
+
+  // The number of vertices outside of all faces.
+  std::size_t number_outside() const { return m_waiting.size() + m_empty.size(); }
+
+  // The number of vertices to put in again.
+  std::size_t number_waiting() const { return m_waiting.size(); }
+
+  // The number of vertices to put in again and of points to insert.
+  std::size_t number_to_put_in() const { return m_waiting.size() + m_coming_ids.size(); }
+
+  // Whether vertices are outside of all faces, or announced points are not inserted yet.
+  bool is_under_way() const
+  {
+    return !m_waiting.empty() || !m_empty.empty() || !m_coming_ids.empty();
+  }
+
+  // OUT -----------------------------------------------------------------------------------------
+
+  // Takes v out, to be put in again at its present position; the faces have it at `place`. False,
+  // with nothing done, if its faces cannot be replaced: in a torus of few vertices, and along the
+  // sides of a slab, these may meet images of themselves.
+  bool take_out(Vertex_index v, const Position_2& place)
+  {
+    reserve_for_slot();
+    const bool can_go = triangulate_anyhow_without(v, place);
+    if (can_go)
+      m_waiting.push_back(m_editor.take_out(m_polygon));
+    return can_go;
+  }
+
+  // Takes v out so that everything else stays Delaunay. False, with nothing done, if it is not
+  // known how. Everything has to be Delaunay before, except that v may have moved.
+  bool take_out_of_delaunay(Vertex_index v)
+  {
+    reserve_for_slot();
+    const bool is_known = triangulate_as_delaunay_without(v);
+    if (is_known)
+      m_waiting.push_back(m_editor.take_out(m_polygon));
+    return is_known;
+  }
+
+  // Removes the points with these ids. A representative leaves its vertex to a duplicate, if there
+  // is one. Returns the vertices that this has moved, because the duplicate is elsewhere by now.
+  //
+  // If everything is Delaunay (`are_delaunay`), it stays so: removes only vertices for which it is
+  // known how. All other vertices keep their points until remove_rest().
+  std::vector<Index> remove(const std::vector<Index>& ids, bool are_delaunay)
+  {
+    std::vector<Index> moved;
+    m_editor.reserve_for_removals(ids.size());
+    m_rest.clear();
+    for (const Point_id id : ids)
+      if (m_state.ids().is_taken(id))
+        remove(id, are_delaunay, moved);
+    const auto is_outside = [this](Vertex_index v) { return m_state.arrays().is_outside(v); };
+    moved.erase(std::remove_if(moved.begin(), moved.end(), is_outside), moved.end());
+    return moved;
+  }
+
+  // Removes the points with these ids that have a vertex of their own, so that everything stays
+  // Delaunay, as it must be. Keeps for remove_rest() the vertices for which it is not known how.
+  void remove_of_delaunay(const std::vector<Index>& ids)
+  {
+    m_editor.reserve_for_removals(ids.size());
+    m_rest.clear();
+    for (const Point_id id : ids)
+      if (m_state.ids().is_representative(id) && find_successor(id) == null_index)
+        remove_vertex(m_state.ids().vertex(id), true);
+  }
+
+  // Removes the remaining vertices of the last `remove()`. False if one of them cannot go, see
+  // take_out(); then this vertex and all after it stay.
+  bool remove_rest()
+  {
+    for (const Vertex_index v : m_rest) {
+      reserve_for_slot();
+      if (!triangulate_anyhow_without(v, m_state.previous_position(v)))
+        return false;
+      m_empty.push_back(m_editor.remove(m_polygon));
+    }
+    return true;
+  }
+  bool has_rest() const { return !m_rest.empty(); }
+
+  // Merges vertices of the list that coincide: the one with the smallest id stays, and the points
+  // of the others become duplicates there. Returns how many vertices were removed. Removes none if
+  // more than `most` would have to go, or if fewer than three would remain.
+  std::size_t merge(const std::vector<Index>& vertices, std::size_t most)
+  {
+    const auto& ids = m_state.ids();
+    m_meeting_order.sort(vertices.begin(), vertices.end());
+    std::vector<std::pair<Index, Index>> pairs;
+    m_meeting_order.for_each_coincident_pair([&](Vertex_index v, Vertex_index w) {
+      pairs.emplace_back(ids.representative(v), ids.representative(w));
+    });
+    constexpr std::size_t min_vertices = 3;
+    if (pairs.size() > most || pairs.size() + m_waiting.size() + m_empty.size() + min_vertices >
+                                   m_state.number_of_vertices())
+      return 0;
+    m_editor.reserve_for_duplicates(pairs.size());
+    for (const auto& [i, j] : pairs) {
+      Index stays = ids.vertex(i), goes = ids.vertex(j);
+      if (ids.representative(goes) < ids.representative(stays))
+        std::swap(stays, goes);
+      reserve_for_slot();
+      const Point p = m_state.point(goes);
+      triangulate_anyhow_without(goes, m_state.previous_position(goes));
+      m_empty.push_back(m_editor.merge(m_polygon, stays, p));
+    }
+    return pairs.size();
+  }
+
+  // IN ------------------------------------------------------------------------------------------
+
+  struct Counts
+  {
+    std::size_t relocated = 0, parted = 0, merged = 0, steps = 0;
+  };
+
+  // Puts in the waiting vertices, the duplicates that have left their vertices, and the new points.
+  // `most_faces()` must be 0 unless everything is Delaunay. A vertex v replaces up to so many faces
+  // if everything is known to stay Delaunay then. Otherwise v is just put into a face, and flips
+  // around v have to follow. After each vertex, calls `settle(v, steps, faces)` with the steps of
+  // all walks so far and the number of replaced faces, 0 in the second case. Stops if it is false.
+  template <class Most_faces, class Settle>
+  Counts put_in(const std::vector<Index>& parted_duplicates, const Most_faces& most_faces,
+                const Settle& settle)
+  {
+    Counts counts;
+    collect_places(parted_duplicates);
+    Hint hint{any_vertex(), m_state.number_of_vertices()};
+    for (std::size_t k = 0; k < m_order.size(); ++k) {
+      const std::size_t i = m_order[k];
+      const std::size_t most = most_faces();
+      m_replaced = 0;
+      const Vertex_index v = i < m_waiting.size() ? put_in_again(m_waiting[i], hint, most, counts)
+                                                  : insert(parted_duplicates, i - m_waiting.size(),
+                                                           hint, most, counts);
+      if (v == null_index)
+        continue;
+      if (k + 1 < m_order.size())
+        hint = hint_at(v); // flips may join v with vertices that are far away
+      if (!settle(v, counts.steps, m_replaced))
+        return counts;
+    }
+    forget_all();
+    return counts;
+  }
+
+  // Drops the empty slots. Returns whether there were any: then some numbers of vertices changed.
+  bool finish()
+  {
+    if (m_empty.empty())
+      return false;
+    m_editor.drop(m_empty);
+    m_empty.clear();
+    return true;
+  }
+
+  // Puts the waiting vertices into any faces, drops the empty slots, and cancels the insertions
+  // that are left. Everything is new then. Throws nothing.
+  void give_up()
+  {
+    if (!is_under_way())
+      return;
+    m_editor.note_everything_is_new();
+    m_editor.keep_memory_for(0);
+    for (const Slot& slot : m_waiting)
+      if (m_state.arrays().is_outside(slot.vertex) && m_state.ids().has_representative(slot.vertex))
+        m_editor.put_in(slot, any_face());
+    m_editor.drop_in_need(m_empty);
+    for_each_coming([this](Point_id id, const Point&) { m_editor.release_id(id); });
+    m_empty.clear();
+    forget_all();
+  }
+
+  // Cancels everything, because the triangulation is replaced by another one.
+  void forget()
+  {
+    m_empty.clear();
+    forget_all();
+  }
+
+private:
+  // Reserves all memory that give_up() would need for one more slot.
+  void reserve_for_slot()
+  {
+    const std::size_t max_slots = m_waiting.size() + m_empty.size() + 1;
+    reserve_extra(m_waiting, 1);
+    reserve_extra(m_empty, 1 + m_waiting.size());
+    m_editor.keep_memory_for(2 * max_slots);
+  }
+
+  bool triangulate_as_delaunay_without(Vertex_index v)
+  {
+    const bool can_go = m_polygon.read(m_state, v);
+    m_editor.prefetch(m_polygon);
+    return can_go && m_polygon.triangulate_as_delaunay(m_state);
+  }
+
+  // Triangulates the polygon around v; the faces have v at `place`.
+  bool triangulate_anyhow_without(Vertex_index v, const Position_2& place)
+  {
+    if (!m_polygon.read(m_state, v) || (State::is_periodic && !m_polygon.has_different_vertices()))
+      return false;
+    m_polygon.triangulate_anyhow(m_state, place);
+    return true;
+  }
+
+  void remove(Point_id id, bool are_delaunay, std::vector<Index>& moved)
+  {
+    const auto& ids = m_state.ids();
+    const Vertex_index v = ids.vertex(id);
+    if (ids.is_representative(id)) {
+      const Index successor = find_successor(id);
+      if (successor == null_index)
+        return remove_vertex(v, are_delaunay);
+      const Point place = m_state.point(v);
+      if (!m_state.is_at(ids.duplicate(successor).point, v))
+        moved.push_back(v);
+      m_editor.exchange_representative(successor, v, place);
+    }
+    m_editor.remove_duplicate(id);
+  }
+
+  // A duplicate that can take the vertex of this point, or `null_index`.
+  Index find_successor(Point_id id) const
+  {
+    const auto& ids = m_state.ids();
+    return ids.find_duplicate_at(ids.vertex(id), [](const auto&) { return true; });
+  }
+
+  // Removes v if that is known to leave everything Delaunay, otherwise lists v for remove_rest().
+  void remove_vertex(Vertex_index v, bool are_delaunay)
+  {
+    reserve_extra(m_rest, 1);
+    reserve_for_slot();
+    if (are_delaunay && triangulate_as_delaunay_without(v))
+      m_empty.push_back(m_editor.remove(m_polygon));
+    else
+      m_rest.push_back(v);
+  }
+
+  // Collects the positions to put in: those of waiting vertices, then those of parted duplicates,
+  // then those of new points.
+  void collect_places(const std::vector<Index>& parted_duplicates)
+  {
+    m_places.clear();
+    const auto add = [this](const Position_2& p) { m_places.push_back(m_state.place_in_order(p)); };
+    for (const Slot& slot : m_waiting)
+      add(m_state.positions()[slot.vertex]);
+    for (const Point_id id : parted_duplicates)
+      add(approximation(m_state.ids().duplicate(id).point));
+    for (const Point& p : m_coming_points)
+      add(approximation(p));
+    const boost::counting_iterator<Index> first(0), beyond(Index(m_places.size()));
+    m_order.sort(m_places, first, beyond);
+  }
+
+  // A finite vertex that is in some face.
+  Index any_vertex() const
+  {
+    Vertex_index v = 1;
+    while (m_state.arrays().is_outside(v))
+      ++v;
+    return v;
+  }
+
+  typename Editor::Seen_face any_face() const
+  {
+    const Halfedge_index h = m_state.arrays().corner(any_vertex());
+    return {Halfedge_arrays_2::face_of(h), m_state.frame_at(h)};
+  }
+
+  // Where to start the search for the next position.
+  struct Hint
+  {
+    Vertex_index nearby, spread;
+  };
+
+  // A neighbor of v, because the number of v itself belongs to its former position.
+  Hint hint_at(Vertex_index v) const
+  {
+    Vertex_index nearby = v;
+    m_state.arrays().for_each_neighbor(
+        v, [&](Vertex_index w) { nearby = w == infinite_index ? nearby : w; });
+    const std::size_t spread = 4 * m_state.number_of_vertices() / m_order.size();
+    return {nearby, Index(spread)};
+  }
+
+  // Returns v, or `null_index` if another vertex is there already, and now has the points of v.
+  Index put_in_again(const Slot& slot, const Hint& hint, std::size_t most, Counts& counts)
+  {
+    const Vertex_index v = slot.vertex;
+    const Place place = m_location.locate(v, hint.nearby, hint.spread);
+    counts.steps += place.steps;
+    if (place.vertex == null_index) {
+      if (find_polygon(slot, place, most))
+        m_editor.put_in_again(slot, m_polygon);
+      else
+        m_editor.put_in_again(slot, seen(place));
+      ++counts.relocated;
+      return v;
+    }
+    m_editor.reserve_for_duplicates(1);
+    m_editor.hand_points_to(place.vertex, v, m_state.point(v));
+    m_empty.push_back(slot);
+    ++counts.merged;
+    return null_index;
+  }
+
+  // Inserts a duplicate that parts, or a new point. Returns its vertex, or `null_index` if it has
+  // become a duplicate.
+  Index insert(const std::vector<Index>& parted_duplicates, std::size_t i, const Hint& hint,
+               std::size_t most, Counts& counts)
+  {
+    const auto& ids = m_state.ids();
+    const bool parts = i < parted_duplicates.size();
+    const std::size_t coming = i - parted_duplicates.size();
+    const Point_id id = parts ? parted_duplicates[i] : m_coming_ids[coming];
+    const Point p = parts ? ids.duplicate(id).point : m_coming_points[coming];
+    counts.parted += parts;
+    m_editor.reserve_for_duplicates(1);
+    const Slot slot = take_slot(p);
+    const Place place = m_location.locate(slot.vertex, hint.nearby, hint.spread);
+    counts.steps += place.steps;
+    if (place.vertex != null_index) {
+      m_editor.place_duplicate(id, place.vertex, p);
+      return null_index;
+    }
+    const bool is_found = find_polygon(slot, place, most);
+    m_empty.pop_back(); // nothing throws from here on
+    if (is_found)
+      m_editor.put_in_new(slot, m_polygon, id);
+    else
+      m_editor.put_in_new(slot, seen(place), id);
+    return slot.vertex;
+  }
+
+  static typename Editor::Seen_face seen(const Place& place) { return {place.face, place.frame}; }
+
+  // Finds a polygon to put the slot's vertex in so that everything stays Delaunay. False if `most`
+  // is 0, or if that is not possible. In any case reserves memory for the new edges.
+  bool find_polygon(const Slot& slot, const Place& place, std::size_t most)
+  {
+    constexpr std::size_t edges_of_three_faces = 6;
+    const bool is_found =
+        State::predicates_are_exact && most > 0 && place.is_inside &&
+        m_polygon.find_as_delaunay(m_state, place.face, place.frame, slot.vertex, most);
+    if (is_found) {
+      m_replaced = m_polygon.faces().size();
+      m_polygon.add(slot);
+    }
+    m_editor.reserve_for_new_edges(is_found ? m_polygon.edges().size() : edges_of_three_faces);
+    return is_found;
+  }
+
+  // Returns the last empty slot, or a new one, with a vertex at p. It stays in the list for now.
+  Slot take_slot(const Point& p)
+  {
+    if (m_empty.empty()) {
+      reserve_for_slot();
+      m_empty.push_back(m_editor.make_slot(p));
+    } else
+      m_editor.renew_vertex(m_empty.back(), p);
+    return m_empty.back();
+  }
+
+  void forget_all()
+  {
+    m_waiting.clear();
+    m_coming_ids.clear();
+    m_coming_points.clear();
+  }
+
+  const State& m_state;
+  Editor& m_editor;
+  Point_location_2<State> m_location;
+  Vertex_order_2<State> m_meeting_order;
+  Spatial_order_2 m_order;
+  std::vector<Position_2> m_places;
+  Star_polygon_2<State> m_polygon; // around the vertex that goes or comes
+  std::size_t m_replaced = 0;      // faces that the last vertex has replaced
+  std::vector<Index> m_rest;       // vertices for remove_rest()
+  std::vector<Slot> m_waiting;     // of vertices that jumped
+  std::vector<Slot> m_empty;       // of vertices without points
+  std::vector<Index> m_coming_ids;
+  std::vector<Point> m_coming_points;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_MENDING_VERTEX_RELOCATION_2_H

@@ -1,0 +1,170 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_PLANE_EDITING_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_PLANE_EDITING_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/Triangulation_utils_2.h>
+
+#include <cstddef>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// What `Topology_editor_2` does in the plane alone: user data follow the numbers of vertices and
+// faces, and the user's visitor is told of each change at once. The builder tells the visitor
+// through it, too. No changes are kept to be told
+// later, so no memory is reserved for that. Only finish_visit(), reserve_for_slot(), append_slot()
+// and operations on users' values can throw.
+template <class State>
+class Plane_editing_2
+{
+  using Topology = typename State::Topology;
+  using Arrays = Halfedge_arrays_2;
+  using Slot = Arrays::Slot;
+
+  using Told = typename Topology::Visitor_calls::Change;
+  using Kind = typename Told::Kind;
+  using Edge = typename Told::Edge;
+
+public:
+  static constexpr bool tells_at_once = Topology::Visitor_calls::is_heard;
+
+  explicit Plane_editing_2(State& state)
+    : m_state(state)
+    , m_topology(state.m_topology)
+    , m_storage(state.m_topology.m_storage)
+    , m_arrays(state.m_topology.m_storage.m_arrays)
+  {
+  }
+
+  Arrays& arrays() { return m_arrays; }
+  typename State::Ids& ids() { return m_topology.m_ids; }
+  typename State::Positions& positions() { return m_state.m_positions; }
+  Change_log_2& changes() { return m_topology.m_changes; }
+
+  template <class Visitor, class Dynamic>
+  void start_visit(Visitor& visitor, const Dynamic* dynamic)
+  {
+    m_topology.m_visitor_calls.start(visitor, dynamic);
+  }
+  void finish_visit() { m_topology.m_visitor_calls.finish(); }
+
+  // MEMORY OF CHANGES ---------------------------------------------------------------------------
+
+  struct Log
+  {
+  };
+  Log& log() { return m_log; }
+  static void append(Log&) {}
+  static void reserve(std::size_t) {}
+  static void reserve(Log&, std::size_t) {}
+  static void keep_memory_for(std::size_t) {}
+
+  static void rest_in_present_cell() {}
+
+  // FACES AND EDGES -----------------------------------------------------------------------------
+
+  bool can_flip(Halfedge_index h) const { return !m_arrays.are_apexes_neighbors(h); }
+
+  void flip(Halfedge_index h, Log&)
+  {
+    const auto f = m_topology.face_handle(Arrays::face_of(h));
+    const int place = int(Arrays::place_of(h));
+    tell([&] { return Told::of(Kind::BEFORE_FLIP, Edge(f, place)); });
+    m_arrays.flip(h);
+    tell([&] { return Told::of(Kind::AFTER_FLIP, Edge(f, Triangulation_cw_ccw_2::ccw(place))); });
+  }
+
+  void set_corner(Halfedge_index h, Vertex_index v) { m_arrays.set_apex(h, v); }
+  void put_in(const Slot& slot, Face_index f, typename State::Frame) { m_arrays.put_in(slot, f); }
+
+  void before_face(Face_index f)
+  {
+    tell([&] { return Told::of(Kind::BEFORE_FACE_REMOVAL, m_topology.face_handle(f)); });
+  }
+  void after_face(Face_index f)
+  {
+    tell([&] { return Told::of(Kind::AFTER_FACE_CREATION, m_topology.face_handle(f)); });
+  }
+  static void before_edge(Index) {}
+  static void after_edge(Index) {}
+
+  // VERTICES ------------------------------------------------------------------------------------
+
+  void after_vertex_creation(Vertex_index v)
+  {
+    tell([&] { return Told::of(Kind::AFTER_VERTEX_CREATION, handle(v), id(v)); });
+  }
+  void before_vertex_removal(Vertex_index v)
+  {
+    tell([&] { return Told::of(Kind::BEFORE_VERTEX_REMOVAL, handle(v), id(v)); });
+  }
+  void before_vertex_relocation(Vertex_index v)
+  {
+    tell([&] { return Told::of(Kind::BEFORE_VERTEX_RELOCATION, handle(v), id(v)); });
+  }
+  void before_vertex_merge(Index goes, Index stays)
+  {
+    tell(
+        [&] { return Told::of(Kind::BEFORE_VERTEX_MERGE, handle(goes), id(goes), handle(stays)); });
+  }
+
+  static void reserve_for_id_change(Index) {}
+  static void before_id_change(Index) {}
+  void after_id_change(Vertex_index v, Index former, const Position_2&)
+  {
+    tell([&] { return Told::of(Kind::AFTER_ID_CHANGE, handle(v), std::size_t(former)); });
+  }
+
+  static void reserve_for_move() {}
+  static void after_move(Index, const Position_2&) {}
+
+  // DATA OF USERS -------------------------------------------------------------------------------
+
+  // Reserves memory for the data of a vertex and two faces. Then append_slot() throws only what
+  // copying a value throws.
+  void reserve_for_slot()
+  {
+    m_storage.m_vertex_data.reserve_extra(1);
+    m_storage.m_face_data.reserve_extra(2);
+  }
+  void append_slot()
+  {
+    m_storage.m_vertex_data.append();
+    m_storage.m_face_data.append();
+    m_storage.m_face_data.append();
+  }
+  void resize_data(std::size_t vertices, std::size_t faces)
+  {
+    m_storage.resize_data(vertices, faces);
+  }
+  void renew_vertex(Vertex_index v) { m_storage.m_vertex_data.reset(v); }
+  void move_last_vertex_data_to(Vertex_index v) { m_storage.m_vertex_data.move_last_to(v); }
+  void move_last_face_data_to(Face_index f) { m_storage.m_face_data.move_last_to(f); }
+
+private:
+  // Tells the user's visitor, if there is one, of the change that `make()` returns.
+  template <class Make>
+  void tell(const Make& make)
+  {
+    m_topology.m_visitor_calls.call(make);
+  }
+  auto handle(Vertex_index v) const { return m_topology.vertex_handle(v); }
+  std::size_t id(Vertex_index v) const { return m_topology.m_ids.representative(v); }
+
+  State& m_state;
+  Topology& m_topology;
+  typename Topology::Storage& m_storage;
+  Arrays& m_arrays;
+  Log m_log;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_PLANE_EDITING_2_H
