@@ -9,7 +9,7 @@ namespace run {
 
 namespace {
 
-// page/player/player.html with its styles and scripts: what comes before the title, between the
+// bindings/web/player/player.html with its styles and scripts: what comes before the title, between the
 // title and the recording, and after the recording.
 constexpr std::array<const char*, 3> page_parts = {
 #include "player_page_parts.inc"

@@ -21,7 +21,7 @@ namespace run {
 // What the player shows of a run: points, sets, edges and triangles of each frame, most of them as
 // changes since the frame before. Positions are rounded to multiples of a quantum, which is the
 // longer side of what is drawn, divided by 2^20. Edges, triangles and sets are those of the run.
-// page/player/recording.js reads it, and says how it is written.
+// bindings/web/player/recording.js reads it, and says how it is written.
 //
 // A point has a number from the frame in which it comes to the one in which it goes. In periodic
 // space it is followed: of its images the one that is nearest to that of the frame before is taken,

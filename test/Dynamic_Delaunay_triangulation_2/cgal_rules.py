@@ -18,8 +18,8 @@ import re
 import sys
 
 PACKAGE = "Dynamic_Delaunay_triangulation_2"
-FOLDERS = ["benchmark", "bindings", "cmake", "doc", "examples", "include", "package_info", "packaging", "page",
-           "python", "scenario_runner", "scenarios", "test"]
+FOLDERS = ["benchmark", "bindings", "cmake", "doc", "examples", "include", "package_info", "packaging",
+           "scenario_runner", "test"]
 TOP_FILES = ["CHANGELOG.md", "CMakeLists.txt", "MANIFEST.in", "README.md", "dev", "pyproject.toml", "setup.py"]
 LICENCE = f"CGAL/license/{PACKAGE}.h"
 LICENCE_TEXT = "GPL (v3 or later)"

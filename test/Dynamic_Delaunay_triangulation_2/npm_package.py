@@ -19,7 +19,7 @@ import sys
 import tempfile
 import threading
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "page"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "bindings" / "web"))
 from serve import server  # noqa: E402
 
 PROGRAM = """import { Triangulation } from "dynamic-delaunay";

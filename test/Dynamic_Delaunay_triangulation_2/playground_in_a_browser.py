@@ -24,7 +24,7 @@ from fractions import Fraction
 from selenium import webdriver
 from selenium.webdriver.chrome.service import Service
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "page"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "bindings" / "web"))
 from serve import server  # noqa: E402
 
 SCREENS = {"desktop": (1280, 800), "phone": (390, 844)}

@@ -3,7 +3,7 @@
 
 // Motion that a user interferes with, as on the page that plays it.
 
-#include "page/motion/Played_motion.h"
+#include "bindings/web/motion/Played_motion.h"
 
 #include <gtest/gtest.h>
 
