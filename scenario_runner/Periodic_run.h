@@ -43,9 +43,9 @@ struct Periodic_space
 };
 
 template <class Classifier>
-using Dynamic_periodic =
-    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair, Any_policy,
-                                                    CGAL::Default, Concurrency_tag>;
+using Dynamic_periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
+    Kernel, Classifier, CGAL::With_repair_2<Any_repair>, CGAL::With_policy_2<Any_policy>,
+    CGAL::With_concurrency_2<Concurrency_tag>>;
 
 // The run of a motion that has a cell.
 template <class Classifier>

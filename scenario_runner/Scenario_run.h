@@ -37,8 +37,9 @@ using Kept_triangulation = Kept_motion<Dynamic, Open_space>;
 
 template <class Classifier>
 using Open_dynamic =
-    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Any_repair, CGAL::Default,
-                                           Any_policy, CGAL::Default, Concurrency_tag>;
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, CGAL::With_repair_2<Any_repair>,
+                                           CGAL::With_policy_2<Any_policy>,
+                                           CGAL::With_concurrency_2<Concurrency_tag>>;
 
 // The run of a motion in the plane.
 template <class Classifier>

@@ -49,9 +49,8 @@ using namespace cells;
 using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel>;
 template <class ConcurrencyTag>
 using Periodic =
-    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Circumcircle_classifier_2,
-                                                    CGAL::Default, CGAL::Default, CGAL::Default,
-                                                    ConcurrencyTag>;
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default,
+                                                    CGAL::With_concurrency_2<ConcurrencyTag>>;
 using Cells = CGAL::Voronoi_cells_in_domain_2;
 using Rule = Cells::Rule;
 

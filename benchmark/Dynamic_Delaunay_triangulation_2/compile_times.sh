@@ -64,7 +64,8 @@ int main()
 {
   return follows<CGAL::Dynamic_Delaunay_triangulation_2<Kernel>>() +
          follows<CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Point_distance_classifier_2>>() +
-         follows<CGAL::Dynamic_Delaunay_triangulation_with_visitor_2<Kernel, CGAL::Edge_changes_visitor_2>>();
+         follows<CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Default,
+                                                        CGAL::With_visitor_2<CGAL::Edge_changes_visitor_2>>>();
 }
 TEXT
 compiled=-DCGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED

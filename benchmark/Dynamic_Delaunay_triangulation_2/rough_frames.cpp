@@ -165,8 +165,9 @@ Motion_figures run_motion(const std::string& space, std::size_t n, double step, 
     return follow_motion(
         points, step, frames, random, [](const Points& p, auto repair, auto policy) {
           using Triangulation =
-              CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Default, decltype(repair), Default,
-                                                     decltype(policy)>;
+              CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Default,
+                                                     CGAL::With_repair_2<decltype(repair)>,
+                                                     CGAL::With_policy_2<decltype(policy)>>;
           return Triangulation(p, typename Triangulation::Settings{{}, repair, {}, policy, {}});
         });
   }
@@ -175,8 +176,9 @@ Motion_figures run_motion(const std::string& space, std::size_t n, double step, 
   return follow_motion(
       points, step, frames, random, [&](const Points& p, auto repair, auto policy) {
         using Triangulation =
-            CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Default, decltype(repair),
-                                                            decltype(policy)>;
+            CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Default,
+                                                            CGAL::With_repair_2<decltype(repair)>,
+                                                            CGAL::With_policy_2<decltype(policy)>>;
         return Triangulation(p, cell, typename Triangulation::Settings{{}, repair, {}, policy, {}});
       });
 }
@@ -215,7 +217,7 @@ void write_motion(const Options& options)
 
 template <class Policy>
 using People = CGAL::Dynamic_population_2<
-    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Default, Default, Default, Policy>, int>;
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Default, CGAL::With_policy_2<Policy>>, int>;
 
 void write_population(const Options& options)
 {

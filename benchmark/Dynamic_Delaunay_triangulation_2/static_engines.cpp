@@ -128,8 +128,9 @@ public:
   }
 
 private:
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Naming_classifier,
-                                                         Clocked_repair<Repair>>;
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Naming_classifier,
+                                             CGAL::With_repair_2<Clocked_repair<Repair>>>;
 
   Ids m_named;
   double m_nanoseconds = 0.0; // of the last repair

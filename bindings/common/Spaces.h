@@ -32,8 +32,9 @@ public:
 
   using Edge_changes = CGAL::Edge_changes_visitor_2;
   template <class Classifier, class Repair, class Policy, class Visitor>
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Repair, CGAL::Default,
-                                                         Policy, Visitor, run::Concurrency_tag>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<
+      Kernel, Classifier, CGAL::With_repair_2<Repair>, CGAL::With_policy_2<Policy>,
+      CGAL::With_visitor_2<Visitor>, CGAL::With_concurrency_2<run::Concurrency_tag>>;
 
   template <class Triangulation>
   Triangulation make(const typename Triangulation::Settings& settings) const
@@ -52,9 +53,9 @@ public:
 
   using Edge_changes = CGAL::Periodic_edge_changes_visitor_2;
   template <class Classifier, class Repair, class Policy, class Visitor>
-  using Dynamic =
-      CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Repair, Policy, Visitor,
-                                                      run::Concurrency_tag>;
+  using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
+      Kernel, Classifier, CGAL::With_repair_2<Repair>, CGAL::With_policy_2<Policy>,
+      CGAL::With_visitor_2<Visitor>, CGAL::With_concurrency_2<run::Concurrency_tag>>;
 
   template <class Triangulation>
   Triangulation make(const typename Triangulation::Settings& settings) const

@@ -17,8 +17,11 @@
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
+//! [options]
 using Dynamic_triangulation =
-    CGAL::Dynamic_Delaunay_triangulation_with_visitor_2<Kernel, CGAL::Edge_changes_visitor_2>;
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Default,
+                                           CGAL::With_visitor_2<CGAL::Edge_changes_visitor_2>>;
+//! [options]
 
 int main()
 {

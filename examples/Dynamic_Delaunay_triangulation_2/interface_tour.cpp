@@ -248,7 +248,8 @@ bool choose_what_is_done()
   using Repair = CGAL::Border_splice_repair_2;
   using Policy = CGAL::Key_frame_policy_2;
   using Triangulation =
-      CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Repair, CGAL::Default, Policy>;
+      CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, CGAL::With_repair_2<Repair>,
+                                             CGAL::With_policy_2<Policy>>;
   Triangulation::Settings settings;
   settings.classifier = Classifier(0.7);
   settings.repair = Repair(1);

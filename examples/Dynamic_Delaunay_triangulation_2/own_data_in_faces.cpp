@@ -58,8 +58,8 @@ private:
 };
 
 using Dynamic_triangulation =
-    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Circumcircle_classifier_2, CGAL::Default,
-                                           Tds, CGAL::Default, Paint_visitor>;
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::With_data_structure_2<Tds>,
+                                           CGAL::With_visitor_2<Paint_visitor>>;
 //! [visitor]
 
 int main()

@@ -33,18 +33,15 @@
 
 namespace CGAL {
 
-template <class Traits, class Classifier, class Repair, class Tds, class UpdatePolicy,
-          class Visitor, class ConcurrencyTag>
+template <class Traits, class Classifier, class... Options>
 class Dynamic_Delaunay_triangulation_2;
 
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-template <class Traits, class Classifier_, class Repair_, class Tds_, class UpdatePolicy,
-          class Visitor_, class ConcurrencyTag>
-struct Triangulation_types_2<Dynamic_Delaunay_triangulation_2<
-    Traits, Classifier_, Repair_, Tds_, UpdatePolicy, Visitor_, ConcurrencyTag>>
-  : Chosen_types_2<Classifier_, Repair_, UpdatePolicy, Visitor_>
+template <class Traits, class ChosenClassifier, class... Options>
+struct Triangulation_types_2<Dynamic_Delaunay_triangulation_2<Traits, ChosenClassifier, Options...>>
+  : Chosen_types_2<ChosenClassifier, Options...>
 {
   static constexpr bool is_exact = !Are_known_to_be_inexact_2<Traits>::value;
   static_assert(is_exact || accepts_inexact_predicates_2<Traits>,
@@ -53,11 +50,12 @@ struct Triangulation_types_2<Dynamic_Delaunay_triangulation_2<
                 "accepts_inexact_predicates_2");
 
   using Geom_traits = Traits;
-  using Concurrency_tag = ConcurrencyTag;
-  using Tds = typename Default::Get<Tds_, Indexed_triangulation_data_structure_2<Traits>>::type;
+  using Tds = typename Option_2<With_data_structure_2,
+                                Indexed_triangulation_data_structure_2<Traits>, Options...>::type;
   using Visitor_calls = Visitor_calls_2<Delaunay_triangulation_2<Traits, Tds>,
                                         Triangulation_types_2::is_visitor_heard>;
-  using State = Triangulation_state_2<Traits, Tds, Visitor_calls, ConcurrencyTag>;
+  using State = Triangulation_state_2<Traits, Tds, Visitor_calls,
+                                      typename Triangulation_types_2::Concurrency_tag>;
   using Input = Input_frame_2<State>;
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
 
@@ -92,28 +90,28 @@ triangulation is still a valid triangulated sphere with all its vertices.
   `Exact_predicates_inexact_constructions_kernel`, or `Projection_traits_xy_3` of one.
 \tparam Classifier a model of `DelaunayClassifier_2`, which finds the edges that may be broken;
   `Default` for `Circumcircle_classifier_2`.
-\tparam Repair a model of `DelaunayRepair_2`, which repairs what the classifier found. `Default`
-  stands for the classifier's `Usual_repair` if it has one; else for `Hold_and_flip_repair_2` if
-  the classifier is exact, for `Border_splice_repair_2` if it is not, and for
-  `Repair_by_exactness_2` if that is known only while a program runs.
-\tparam Tds an `Indexed_triangulation_data_structure_2` of these traits; `Default` for one without
-  data of the user. Data that the user stores in a vertex stay in it. The vertices of a face change;
-  a visitor is told when.
-\tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`, which chooses the frames to rebuild
-  instead; `Default` for `Always_dynamic_policy_2`.
-\tparam Visitor a model of `DelaunayUpdateVisitor_2`, which is told what changes; `Default` for
-  `Delaunay_update_visitor_base_2`, which ignores all calls.
-\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB: with it, the threads of
-  the TBB arena in which a function is called share its passes over many points, edges or faces
-  (\ref DynamicDelaunaySubsection_Threads). The threads use iterators of random-access ranges, and
-  property maps of points, at the same time. No result depends on the tag.
+\tparam Options any of these, in any order, each at most once:
+  - `With_repair_2<Repair>`: a model of `DelaunayRepair_2`, which repairs what the classifier found.
+    Without it, the classifier's `Usual_repair` if it has one; else `Hold_and_flip_repair_2` if the
+    classifier is exact, `Border_splice_repair_2` if it is not, and `Repair_by_exactness_2` if that
+    is known only while a program runs.
+  - `With_data_structure_2<Tds>`: an `Indexed_triangulation_data_structure_2` of these traits.
+    Without it, one that has no data of the user. Data that the user stores in a vertex stay in it.
+    The vertices of a face change; a visitor is told when.
+  - `With_policy_2<Policy>`: a model of `DelaunayUpdatePolicy_2`, which chooses the frames to
+rebuild instead. Without it, `Always_dynamic_policy_2`.
+  - `With_visitor_2<Visitor>`: a model of `DelaunayUpdateVisitor_2`, which is told what changes.
+    Without it, `Delaunay_update_visitor_base_2`, which ignores all calls.
+  - `With_concurrency_2<Tag>`: `Sequential_tag`, as without it, or `Parallel_tag`, which needs TBB:
+    with it, the threads of the TBB arena in which a function is called share its passes over many
+    points, edges or faces (\ref DynamicDelaunaySubsection_Threads). The threads use iterators of
+    random-access ranges, and property maps of points, at the same time. No result depends on the
+    tag.
 */
-template <class Traits, class Classifier = Circumcircle_classifier_2, class Repair = Default,
-          class Tds = Default, class UpdatePolicy = Always_dynamic_policy_2,
-          class Visitor = Delaunay_update_visitor_base_2, class ConcurrencyTag = Sequential_tag>
+template <class Traits, class Classifier = Circumcircle_classifier_2, class... Options>
 class Dynamic_Delaunay_triangulation_2
-  : public Dynamic_triangulation_base_2<Dynamic_Delaunay_triangulation_2<
-        Traits, Classifier, Repair, Tds, UpdatePolicy, Visitor, ConcurrencyTag>>
+  : public Dynamic_triangulation_base_2<
+        Dynamic_Delaunay_triangulation_2<Traits, Classifier, Options...>>
 {
   using Base = Dynamic_triangulation_base_2<Dynamic_Delaunay_triangulation_2>;
   friend Base;
@@ -346,30 +344,19 @@ private:
   /// \endcond
 };
 
-/*!
-\ingroup PkgDynamicDelaunayTriangulation2Ref
-
-A `Dynamic_Delaunay_triangulation_2` with a visitor, a model of `DelaunayUpdateVisitor_2`, and
-defaults for everything else.
-*/
-template <class Traits, class Visitor, class Classifier = Circumcircle_classifier_2>
-using Dynamic_Delaunay_triangulation_with_visitor_2 =
-    Dynamic_Delaunay_triangulation_2<Traits, Classifier, Default, Default, Default, Visitor>;
-
 } // namespace CGAL
 
 // The kernels that `compiled_updates.h` compiles, for each of these tags.
 #define CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE(prefix, tag)                                           \
   CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
       prefix, Dynamic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel,      \
-                                               Default, Default, Default, Always_dynamic_policy_2, \
-                                               Delaunay_update_visitor_base_2, tag>)
+                                               Default, With_concurrency_2<tag>>)
 #define CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE_WITH_VISITOR(prefix, tag)                              \
   CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
       prefix, Dynamic_Delaunay_triangulation_2<                                                    \
-                  Exact_predicates_inexact_constructions_kernel, Default, Default, Default,        \
-                  Always_dynamic_policy_2,                                                         \
-                  Dynamic_Delaunay_triangulations_2::internal::Heard_visitor_2, tag>)
+                  Exact_predicates_inexact_constructions_kernel, Default,                          \
+                  With_visitor_2<Dynamic_Delaunay_triangulations_2::internal::Heard_visitor_2>,    \
+                  With_concurrency_2<tag>>)
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -32,26 +32,26 @@
 
 namespace CGAL {
 
-template <class Kernel, class Classifier, class Repair, class UpdatePolicy, class Visitor,
-          class ConcurrencyTag>
+template <class Kernel, class Classifier, class... Options>
 class Dynamic_periodic_Delaunay_triangulation_2;
 
 namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
-template <class Kernel, class C, class R, class P, class V, class ConcurrencyTag>
+template <class Kernel, class ChosenClassifier, class... Options>
 struct Triangulation_types_2<
-    Dynamic_periodic_Delaunay_triangulation_2<Kernel, C, R, P, V, ConcurrencyTag>>
-  : Chosen_types_2<C, R, P, V>
+    Dynamic_periodic_Delaunay_triangulation_2<Kernel, ChosenClassifier, Options...>>
+  : Chosen_types_2<ChosenClassifier, Options...>
 {
+  static_assert(number_of_options<With_data_structure_2, Options...> == 0,
+                "With_data_structure_2<> is an option of triangulations in the plane only");
   static_assert(has_double_coordinates<typename Kernel::Point_2>,
                 "the coordinates of points in periodic space must be of type double");
 
   using Geom_traits = Kernel;
-  using Concurrency_tag = ConcurrencyTag;
   using Visitor_calls = Periodic_visitor_calls_2<Triangulation_types_2::is_visitor_heard>;
-  using State =
-      Periodic_triangulation_state_2<typename Kernel::Point_2, Visitor_calls, ConcurrencyTag>;
+  using State = Periodic_triangulation_state_2<typename Kernel::Point_2, Visitor_calls,
+                                               typename Triangulation_types_2::Concurrency_tag>;
   using Input = Periodic_input_2<State>;
   static constexpr std::string_view checkpoint_subject =
       "Dynamic_periodic_Delaunay_triangulation_2";
@@ -99,19 +99,14 @@ Classifiers, repairs and policies are the same as in the plane; `Dynamic_frame_2
 \tparam Kernel a CGAL kernel whose points have coordinates of type `double`, such as
   `Exact_predicates_inexact_constructions_kernel`.
 \tparam Classifier a model of `DelaunayClassifier_2`; `Default` for `Circumcircle_classifier_2`.
-\tparam Repair a model of `DelaunayRepair_2`; `Default` as in `Dynamic_Delaunay_triangulation_2`.
-\tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`; `Default` for `Always_dynamic_policy_2`.
-\tparam Visitor a model of `PeriodicUpdateVisitor_2`, which is told of all changes of edges;
-  `Default` for `Delaunay_update_visitor_base_2`, which ignores them.
-\tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`, as for a triangulation of the
-  plane.
+\tparam Options as those of `Dynamic_Delaunay_triangulation_2`, in any order, each at most once:
+  `With_repair_2`, `With_policy_2`, `With_concurrency_2`, and `With_visitor_2` of a model of
+  `PeriodicUpdateVisitor_2`, which is told of all changes of edges.
 */
-template <class Kernel, class Classifier = Circumcircle_classifier_2, class Repair = Default,
-          class UpdatePolicy = Always_dynamic_policy_2,
-          class Visitor = Delaunay_update_visitor_base_2, class ConcurrencyTag = Sequential_tag>
+template <class Kernel, class Classifier = Circumcircle_classifier_2, class... Options>
 class Dynamic_periodic_Delaunay_triangulation_2
-  : public Dynamic_triangulation_base_2<Dynamic_periodic_Delaunay_triangulation_2<
-        Kernel, Classifier, Repair, UpdatePolicy, Visitor, ConcurrencyTag>>
+  : public Dynamic_triangulation_base_2<
+        Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Options...>>
 {
   using Base = Dynamic_triangulation_base_2<Dynamic_periodic_Delaunay_triangulation_2>;
   friend Base;
@@ -394,14 +389,13 @@ private:
   CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
       prefix,                                                                                      \
       Dynamic_periodic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel,     \
-                                                Default, Default, Always_dynamic_policy_2,         \
-                                                Delaunay_update_visitor_base_2, tag>)
+                                                Default, With_concurrency_2<tag>>)
 #define CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(prefix, tag)                     \
   CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
       prefix, Dynamic_periodic_Delaunay_triangulation_2<                                           \
-                  Exact_predicates_inexact_constructions_kernel, Default, Default,                 \
-                  Always_dynamic_policy_2,                                                         \
-                  Dynamic_Delaunay_triangulations_2::internal::Heard_visitor_2, tag>)
+                  Exact_predicates_inexact_constructions_kernel, Default,                          \
+                  With_visitor_2<Dynamic_Delaunay_triangulations_2::internal::Heard_visitor_2>,    \
+                  With_concurrency_2<tag>>)
 
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

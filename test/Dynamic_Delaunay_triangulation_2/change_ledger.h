@@ -154,8 +154,8 @@ private:
 
 // A triangulation whose classifier is a change ledger.
 template <class Kernel, class Classifier, class Repair = CGAL::Default>
-using Watched_triangulation =
-    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Change_ledger<Classifier>, Repair,
-                                           Stamped_data_structure<Kernel>>;
+using Watched_triangulation = CGAL::Dynamic_Delaunay_triangulation_2<
+    Kernel, Change_ledger<Classifier>, CGAL::With_repair_2<Repair>,
+    CGAL::With_data_structure_2<Stamped_data_structure<Kernel>>>;
 
 #endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CHANGE_LEDGER_H

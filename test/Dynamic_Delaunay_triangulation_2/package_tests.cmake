@@ -59,6 +59,7 @@ if(NOT MSVC)
   endif()
   add_refusal(compiled_updates compiled_updates "is for programs that define" -Wfatal-errors)
   add_refusal(rounded_predicates rounded_predicates "nothing could be certified")
+  add_refusal(options options "and nothing else.*is given twice.*in the plane only")
   # Each of them by name: the compiler goes on after the first.
   set(private_members m_topology m_triangulation m_storage m_ids m_changes Key flip set)
   list(TRANSFORM private_members APPEND "[^\n]*private")

@@ -109,9 +109,9 @@ private:
 };
 
 template <class Kernel, class Classifier = CGAL::Circumcircle_classifier_2>
-using Visited =
-    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, CGAL::Default,
-                                           Stamped_data_structure<Kernel>, CGAL::Default, Diary>;
+using Visited = CGAL::Dynamic_Delaunay_triangulation_2<
+    Kernel, Classifier, CGAL::With_data_structure_2<Stamped_data_structure<Kernel>>,
+    CGAL::With_visitor_2<Diary>>;
 
 // Moves points, and checks the triangulation after each call.
 template <class Kernel>
@@ -1424,8 +1424,8 @@ private:
 TEST(Visitor_that_throws_amid_a_frame, does_not_keep_it_from_its_end)
 {
   using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, CGAL::Default,
-                                             CGAL::Default, CGAL::Default, Interrupting_visitor>;
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                             CGAL::With_visitor_2<Interrupting_visitor>>;
   Cloud<Epick> cloud(61);
   const Frame first = frame_of(cloud.uniform(300)), next = next_of(first, cloud);
   bool has_thrown = true;
@@ -1446,8 +1446,8 @@ TEST(Visitor_that_throws_amid_a_frame, does_not_keep_it_from_its_end)
 
 TEST(Repair_that_throws_in_a_frame, leaves_what_the_next_frame_mends)
 {
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
-                                                         Failing_repair>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                                         CGAL::With_repair_2<Failing_repair>>;
   using Way = Failing_repair::Way;
   Cloud<Epick> cloud(62);
   const Frame first = frame_of(cloud.uniform(300)), next = next_of(first, cloud);

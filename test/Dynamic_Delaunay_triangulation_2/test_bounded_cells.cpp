@@ -864,10 +864,8 @@ TEST(Memory, may_run_out_and_leaves_neither_cells_nor_gradients)
 
 TEST(Threads, change_nothing)
 {
-  using Shared =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, CGAL::Default,
-                                             CGAL::Default, CGAL::Default, CGAL::Default,
-                                             CGAL::Parallel_if_available_tag>;
+  using Shared = CGAL::Dynamic_Delaunay_triangulation_2<
+      Epick, CGAL::Default, CGAL::With_concurrency_2<CGAL::Parallel_if_available_tag>>;
   const Points points = Cloud<Epick>(10).uniform(30000);
   const Shared shared(points.begin(), points.end());
   Cells alone, together;
@@ -881,8 +879,8 @@ TEST(Threads, change_nothing)
 }
 
 template <class Tag>
-using Periodic_by = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
-    Epick, CGAL::Circumcircle_classifier_2, CGAL::Default, CGAL::Default, CGAL::Default, Tag>;
+using Periodic_by = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                                                    CGAL::With_concurrency_2<Tag>>;
 
 TEST(Threads, change_nothing_in_periodic_space)
 {

@@ -887,10 +887,8 @@ TEST(Memory, may_run_out_and_leaves_no_cells_of_the_last_call)
 
 TEST(Cells_in_domains, are_the_same_by_threads)
 {
-  using Shared =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, CGAL::Default,
-                                             CGAL::Default, CGAL::Default, CGAL::Default,
-                                             CGAL::Parallel_if_available_tag>;
+  using Shared = CGAL::Dynamic_Delaunay_triangulation_2<
+      Epick, CGAL::Default, CGAL::With_concurrency_2<CGAL::Parallel_if_available_tag>>;
   const Domain domain = hall_with_pillars();
   std::mt19937 random(7);
   Points points;

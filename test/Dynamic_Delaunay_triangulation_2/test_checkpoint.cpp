@@ -361,7 +361,9 @@ TEST(Checkpoints, what_was_in_vain_is_remembered)
 TEST(Checkpoints, uncertified_triangulations_are_kept_as_they_are)
 {
   using Classifier = CGAL::Nearly_delaunay_classifier_2;
-  using Heuristic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, CGAL::Flip_repair_2>;
+  using Heuristic =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier,
+                                             CGAL::With_repair_2<CGAL::Flip_repair_2>>;
   for (unsigned seed = 0; seed < 4; ++seed) {
     Cloud<Epick> cloud(seed);
     auto points = cloud.uniform(150);
@@ -445,8 +447,8 @@ TEST(Checkpoints, what_an_exception_has_left_is_kept_or_not_written_at_all)
   Cloud<Epick> cloud(14);
   auto points = cloud.uniform(50);
   points[1] = points[0];
-  using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, Faulty_repair>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                                         CGAL::With_repair_2<Faulty_repair>>;
   Dynamic dt(points.begin(), points.end());
   for (std::size_t id = 2; id < points.size(); ++id)
     points[id] = cloud.shifted(points[id], 0.5);

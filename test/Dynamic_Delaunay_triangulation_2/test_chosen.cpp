@@ -124,8 +124,8 @@ TEST(A_chosen_classifier, serves_on_a_torus)
 using Any_repair = CGAL::Chosen_repair_2<CGAL::Hold_and_flip_repair_2, CGAL::Flip_repair_2>;
 using Any_policy = CGAL::Chosen_policy_2<CGAL::Always_dynamic_policy_2,
                                          CGAL::Always_static_policy_2, CGAL::Key_frame_policy_2>;
-using Chosen =
-    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Any, Any_repair, CGAL::Default, Any_policy>;
+using Chosen = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Any, CGAL::With_repair_2<Any_repair>,
+                                                      CGAL::With_policy_2<Any_policy>>;
 
 // How often each reason for a rebuild occurred while everything is shaken by `step`.
 std::vector<int> reasons(const Any_repair& repair, const Any_policy& policy, double step)

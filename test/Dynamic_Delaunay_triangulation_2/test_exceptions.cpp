@@ -634,9 +634,9 @@ struct Fused_policy
   }
 };
 
-using Fused_triangulation =
-    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Change_ledger<Fused_classifier>, Fused_repair,
-                                           Stamped_data_structure<Epick>, Fused_policy>;
+using Fused_triangulation = CGAL::Dynamic_Delaunay_triangulation_2<
+    Epick, Change_ledger<Fused_classifier>, CGAL::With_repair_2<Fused_repair>,
+    CGAL::With_data_structure_2<Stamped_data_structure<Epick>>, CGAL::With_policy_2<Fused_policy>>;
 
 class Parts : public testing::Test
 {
@@ -717,7 +717,8 @@ TEST(A_repair_that_throws, leaves_no_certificate_while_a_duplicate_has_no_vertex
   Points points = cloud.uniform(30);
   points[9] = points[3];
   Fused_repair repair;
-  using Busy = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Busy_classifier, Fused_repair>;
+  using Busy = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Busy_classifier,
+                                                      CGAL::With_repair_2<Fused_repair>>;
   Busy dt(points.begin(), points.end(), Busy::Settings{Busy_classifier(), repair});
   points[9] = CGAL::midpoint(points[3], points[4]);
   repair.fuse.set(0);

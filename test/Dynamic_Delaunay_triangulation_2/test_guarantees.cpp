@@ -85,8 +85,8 @@ TEST(Guarantees, what_is_delaunay_by_luck_can_be_certified)
 template <class Repair, class Classifier>
 void follow_and_mend(const Classifier& classifier, Points points, Cloud<Epick>& cloud, double step)
 {
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, Repair> dt(points.begin(), points.end(),
-                                                                       classifier);
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, CGAL::With_repair_2<Repair>> dt(
+      points.begin(), points.end(), classifier);
   for (int frame = 0; frame < 20; ++frame) {
     cloud.shake(points, step);
     dt.update(points.begin(), points.end());
@@ -228,8 +228,8 @@ TEST(Guarantees, vertices_keep_their_data_through_flips_relocations_and_rebuilds
 {
   Cloud<Epick> cloud(9);
   auto points = cloud.uniform(300);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, CGAL::Default,
-                                         Stamped_data_structure<Epick>>
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                         CGAL::With_data_structure_2<Stamped_data_structure<Epick>>>
       dt(points.begin(), points.end());
   const auto stamps = stamps_of(dt);
   std::size_t flips = 0, relocated = 0, rebuilds = 0;
@@ -256,8 +256,8 @@ TEST(Guarantees, the_classified_set_names_no_vertex_that_a_rebuild_did_away_with
   const auto points = cloud.uniform(200);
   auto elsewhere = points;
   std::copy(elsewhere.begin(), elsewhere.begin() + 50, elsewhere.begin() + 150);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
-                                         CGAL::Rebuild_repair_2>
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                         CGAL::With_repair_2<CGAL::Rebuild_repair_2>>
       dt(points.begin(), points.end());
   const auto report = dt.update(elsewhere.begin(), elsewhere.end());
   EXPECT_TRUE(report.rebuilt());

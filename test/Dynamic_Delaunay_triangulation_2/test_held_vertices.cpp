@@ -39,8 +39,8 @@ struct Holding_repair
 };
 
 template <class Kernel>
-using Holding =
-    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Circumcircle_classifier_2, Holding_repair>;
+using Holding = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Default,
+                                                       CGAL::With_repair_2<Holding_repair>>;
 
 // Follows `frames` frames of points that `move(points, frame)` changes. Returns how many of them
 // were rebuilt.
@@ -262,7 +262,7 @@ void expect_forgetting_is_made_good()
   Cloud<Epick> cloud(21);
   const auto shake = [&](Points& points, int) { cloud.shake(points, 0.3); };
   number_rebuilt<
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, Repair>>(
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::With_repair_2<Repair>>>(
       cloud.uniform(100), 10, shake);
 }
 
@@ -311,8 +311,8 @@ TEST(Held_vertices, rest_where_points_leave_and_come)
 
 using Cell = CGAL::Periodic_cell_2;
 using Periodic =
-    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
-                                                    Holding_repair>;
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                                    CGAL::With_repair_2<Holding_repair>>;
 
 Points shaken(std::mt19937_64& random, const Points& points, double step)
 {

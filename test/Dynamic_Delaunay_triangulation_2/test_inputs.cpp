@@ -10,8 +10,10 @@
 #include <CGAL/Cartesian.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Point_distance_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_static_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/iterator.h>
@@ -463,8 +465,8 @@ TEST(Wrong_uses, of_indices_by_classifiers_are_refused_and_change_nothing)
 TEST(Wrong_uses, of_handles_that_change_a_vertex_or_a_face_are_seen)
 {
   const Points points = Cloud<Epick>(9).uniform(50);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
-                                         CGAL::Rebuild_repair_2>
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                         CGAL::With_repair_2<CGAL::Rebuild_repair_2>>
       dt(points.begin(), points.end());
   dt.vertex(5)->set_point(Point(points[5].x() + 1e-9, points[5].y()));
   EXPECT_FALSE(dt.is_valid());
@@ -539,9 +541,16 @@ TEST(Kernels, whose_predicates_are_rounded_never_certify)
 
 TEST(Default, stands_for_every_parameter)
 {
-  using All_default =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default, CGAL::Default,
-                                             CGAL::Default, CGAL::Default>;
+  using All_default = CGAL::Dynamic_Delaunay_triangulation_2<
+      Epick, CGAL::Default, CGAL::With_concurrency_2<CGAL::Default>,
+      CGAL::With_visitor_2<CGAL::Default>, CGAL::With_policy_2<CGAL::Default>,
+      CGAL::With_data_structure_2<CGAL::Default>, CGAL::With_repair_2<CGAL::Default>>;
+  using Usual = CGAL::Dynamic_Delaunay_triangulation_2<Epick>;
+  static_assert(std::is_same_v<All_default::Delaunay_repair, Usual::Delaunay_repair>);
+  static_assert(std::is_same_v<All_default::Delaunay_update_policy, Usual::Delaunay_update_policy>);
+  static_assert(std::is_same_v<All_default::Concurrency_tag, Usual::Concurrency_tag>);
+  static_assert(std::is_same_v<All_default::Triangulation_data_structure,
+                               Usual::Triangulation_data_structure>);
   static_assert(std::is_same_v<All_default::Delaunay_classifier, CGAL::Circumcircle_classifier_2>);
   static_assert(
       std::is_same_v<All_default::Delaunay_update_visitor, CGAL::Delaunay_update_visitor_base_2>);
@@ -551,6 +560,25 @@ TEST(Default, stands_for_every_parameter)
   cloud.shake(points, 0.1);
   dt.update(points);
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+TEST(Options, may_come_in_any_order)
+{
+  using CGAL::With_policy_2, CGAL::With_repair_2, CGAL::With_visitor_2;
+  using Policy = CGAL::Always_static_policy_2;
+  using Repair = CGAL::Rebuild_repair_2;
+  using Visitor = CGAL::Edge_changes_visitor_2;
+  using One =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, With_repair_2<Repair>,
+                                             With_policy_2<Policy>, With_visitor_2<Visitor>>;
+  using Other =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, With_visitor_2<Visitor>,
+                                             With_repair_2<Repair>, With_policy_2<Policy>>;
+  static_assert(std::is_same_v<One::Delaunay_repair, Repair>);
+  static_assert(std::is_same_v<One::Delaunay_update_policy, Policy>);
+  static_assert(std::is_same_v<One::Delaunay_update_visitor, Visitor>);
+  static_assert(std::is_same_v<One::Settings, Other::Settings>);
+  static_assert(std::is_same_v<One::Frame, Other::Frame>);
 }
 
 // FLOATING POINT ----------------------------------------------------------------------------------
@@ -657,8 +685,8 @@ TEST_P(Floating_point, of_the_caller_changes_nothing_on_two_threads)
     }
   });
   using Parallel =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default, CGAL::Default,
-                                             CGAL::Default, CGAL::Default, CGAL::Parallel_tag>;
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                             CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
   tbb::task_arena two_threads(2);
   Parallel dt;
   two_threads.execute([&] { dt.insert(frames.front(), CGAL::Emptyset_iterator()); });

@@ -344,9 +344,9 @@ TEST(Interpolation, errors_say_which_place_it_is_and_change_nothing)
 #ifdef CGAL_LINKED_WITH_TBB
 TEST(Interpolation, threads_find_the_same_weights)
 {
-  using Parallel = CGAL::Dynamic_Delaunay_triangulation_2<
-      Epick, CGAL::Circumcircle_classifier_2, CGAL::Default, CGAL::Default,
-      CGAL::Always_dynamic_policy_2, CGAL::Delaunay_update_visitor_base_2, CGAL::Parallel_tag>;
+  using Parallel =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                             CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
   const Points points = Cloud<Epick>(5).uniform(500), places = Cloud<Epick>(6).uniform(3000);
   const Plane dt(points.begin(), points.end());
   const Parallel parallel(points.begin(), points.end());

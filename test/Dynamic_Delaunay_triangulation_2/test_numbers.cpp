@@ -358,8 +358,8 @@ protected:
   static void expect_exact_through(const std::vector<Positions>& frames, const Place& place)
   {
     auto points = put<Kernel>(frames.front(), place);
-    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Repair> dt(points.begin(),
-                                                                          points.end());
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, CGAL::With_repair_2<Repair>> dt(
+        points.begin(), points.end());
     ASSERT_NO_FATAL_FAILURE(expect_exact_by_integers(dt, points));
     for (std::size_t i = 1; i < frames.size(); ++i) {
       SCOPED_TRACE(testing::Message() << "frame " << i);
@@ -524,8 +524,8 @@ private:
                             const Place& place)
   {
     auto points = put<Epick>(frames.front(), place);
-    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, Repair> dt(points.begin(),
-                                                                         points.end(), classifier);
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, CGAL::With_repair_2<Repair>> dt(
+        points.begin(), points.end(), classifier);
     for (std::size_t i = 1; i < frames.size(); ++i) {
       SCOPED_TRACE(testing::Message() << "frame " << i);
       points = put<Epick>(frames[i], place);

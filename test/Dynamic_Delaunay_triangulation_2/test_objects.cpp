@@ -172,7 +172,8 @@ TEST(Objects, that_do_not_span_the_plane_are_copied)
 TEST(Objects, that_are_copied_take_along_what_users_keep_in_vertices_and_faces)
 {
   using Tds = CGAL::Indexed_triangulation_data_structure_2<Epick, int, int>;
-  using Informed = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default, Tds>;
+  using Informed = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                                          CGAL::With_data_structure_2<Tds>>;
   Cloud<Epick> cloud(9);
   const Points points = cloud.uniform(number);
   Informed dt(points);

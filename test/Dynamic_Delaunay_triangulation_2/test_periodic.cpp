@@ -40,9 +40,8 @@ using Point = Kernel::Point_2;
 using Cell = CGAL::Periodic_cell_2;
 using Triangulation = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel>;
 template <class Visitor>
-using Visited =
-    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
-                                                    CGAL::Default, Visitor>;
+using Visited = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default,
+                                                                CGAL::With_visitor_2<Visitor>>;
 using Vector = Kernel::Vector_2;
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_state_2;

@@ -385,8 +385,8 @@ struct Faulty_visitor : CGAL::Delaunay_update_visitor_base_2
 TEST(Periodic_checkpoints, a_population_has_the_ids_of_its_file_also_if_the_visitor_throws)
 {
   using Visited =
-      CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
-                                                      CGAL::Default, Faulty_visitor>;
+      CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default,
+                                                      CGAL::With_visitor_2<Faulty_visitor>>;
   CGAL::Dynamic_population_2<Visited> population(Visited(Cell(1, 1))), other(Visited(Cell(1, 1)));
   other.insert(7, Point(0.5, 0.5));
   population.insert(8, Point(0, 0));

@@ -55,7 +55,8 @@ using Reason = CGAL::Rebuild_reason_2;
 
 template <class Classifier, class Repair = CGAL::Default, class Policy = CGAL::Default>
 using Triangulation =
-    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Repair, Policy>;
+    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, CGAL::With_repair_2<Repair>,
+                                                    CGAL::With_policy_2<Policy>>;
 
 // Points in a square, which move at random.
 class Cloud

@@ -33,7 +33,8 @@ using Reason = CGAL::Rebuild_reason_2;
 template <class Policy, class Classifier = CGAL::Circumcircle_classifier_2,
           class Repair = CGAL::Default>
 using Triangulation =
-    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, Repair, CGAL::Default, Policy>;
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, CGAL::With_repair_2<Repair>,
+                                           CGAL::With_policy_2<Policy>>;
 
 template <class Policy, class Classifier = CGAL::Circumcircle_classifier_2,
           class Repair = CGAL::Default>

@@ -79,9 +79,8 @@ template <class Kernel>
 class Population : public testing::Test
 {
 protected:
-  using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<Kernel, CGAL::Circumcircle_classifier_2, CGAL::Default,
-                                             Stamped_data_structure<Kernel>>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<
+      Kernel, CGAL::Default, CGAL::With_data_structure_2<Stamped_data_structure<Kernel>>>;
   using Point = typename Kernel::Point_2;
   using Points = std::vector<Point>;
   using Stamps = std::map<std::size_t, std::size_t>;
@@ -1018,8 +1017,8 @@ TEST(Heuristic_population, stays_valid_and_can_be_mended_whatever_happens_to_it)
 {
   using CGAL::Point_distance_classifier_2, CGAL::Random_classifier_2;
   using Distance = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Point_distance_classifier_2>;
-  using Flipped =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Random_classifier_2, CGAL::Flip_repair_2>;
+  using Flipped = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Random_classifier_2,
+                                                         CGAL::With_repair_2<CGAL::Flip_repair_2>>;
   using Exactly_constructed = CGAL::Dynamic_Delaunay_triangulation_2<Epeck, Random_classifier_2>;
   for (const Playground& ground : {Playground{9, false}, Playground{9, true}, Playground{3, false}})
     for (unsigned seed = 0; seed < 10; ++seed) {

@@ -27,10 +27,11 @@ class Repairs : public testing::Test
 {
 protected:
   using Exact =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, Repair>;
-  using Heuristic =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2, Repair>;
-  using Random = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2, Repair>;
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::With_repair_2<Repair>>;
+  using Heuristic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2,
+                                                           CGAL::With_repair_2<Repair>>;
+  using Random = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2,
+                                                        CGAL::With_repair_2<Repair>>;
 };
 
 using All_repairs =
@@ -107,7 +108,7 @@ TEST(Flips, never_double_an_edge_however_rough_the_motion)
     Cloud<Epick> cloud(seed);
     auto points = cloud.uniform(120);
     CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Point_distance_classifier_2,
-                                           CGAL::Flip_repair_2>
+                                           CGAL::With_repair_2<CGAL::Flip_repair_2>>
         dt(points.begin(), points.end(), CGAL::Point_distance_classifier_2(0.6));
     for (int frame = 0; frame < 20; ++frame) {
       cloud.shake(points, 1);
@@ -261,8 +262,8 @@ TEST(Border_splice, catches_a_fast_point_by_growing)
   auto points = Cloud<Epick>::grid(20, 20);
   Cloud<Epick> cloud(5);
   cloud.shake(points, 0.01);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
-                                         CGAL::Border_splice_repair_2>
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                         CGAL::With_repair_2<CGAL::Border_splice_repair_2>>
       dt(points.begin(), points.end(),
          {CGAL::Circumcircle_classifier_2(), CGAL::Border_splice_repair_2(1)});
   points[150] = Epick::Point_2(points[150].x() + 5.3, points[150].y() + 0.2);
@@ -295,7 +296,8 @@ template <class Classifier, class Check>
 Flight flight(unsigned padding, const Check& check)
 {
   using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, CGAL::Border_splice_repair_2>;
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier,
+                                             CGAL::With_repair_2<CGAL::Border_splice_repair_2>>;
   Cloud<Epick> cloud(1);
   auto points = cloud.uniform(900);
   points[0] = Epick::Point_2(2, 6);
@@ -360,7 +362,7 @@ struct Named_vertices_classifier
 
 using Named_vertices_triangulation =
     CGAL::Dynamic_Delaunay_triangulation_2<Epick, Named_vertices_classifier,
-                                           CGAL::Border_splice_repair_2>;
+                                           CGAL::With_repair_2<CGAL::Border_splice_repair_2>>;
 
 CGAL::Update_report_2 splice_around(const Points& points, const Points& moved,
                                     const std::vector<std::size_t>& ids)
@@ -462,8 +464,8 @@ TEST(Border_splice, mends_the_convex_hull)
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Cloud<Epick> cloud(seed);
     auto points = cloud.uniform(300);
-    CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
-                                           CGAL::Border_splice_repair_2>
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                           CGAL::With_repair_2<CGAL::Border_splice_repair_2>>
         dt(points.begin(), points.end());
     // the leftmost point moves out, or so far in that others take its place on the hull
     auto& corner = *std::min_element(points.begin(), points.end());
@@ -503,8 +505,8 @@ TEST(Relocation, moves_every_vertex_that_has_moved)
 {
   Cloud<Epick> cloud(7);
   auto points = cloud.uniform(300);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
-                                         CGAL::Relocation_repair_2>
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                         CGAL::With_repair_2<CGAL::Relocation_repair_2>>
       dt(points.begin(), points.end());
   for (std::size_t id = 0; id < 40; ++id)
     points[id] = cloud.shifted(points[id], 0.3);
@@ -518,8 +520,8 @@ TEST(Relocation, lets_points_take_the_places_of_others_in_turn)
 {
   Cloud<Epick> cloud(8);
   auto points = cloud.uniform(100);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
-                                         CGAL::Relocation_repair_2>
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                         CGAL::With_repair_2<CGAL::Relocation_repair_2>>
       dt(points.begin(), points.end());
   for (std::size_t id = 0; id < 10; ++id) // a chain with a free place at its end
     points[id] = id == 9 ? Epick::Point_2(4.5, 4.5) : points[id + 1];
@@ -553,7 +555,8 @@ TEST(Taking_out, leaves_three_vertices_where_all_others_jump)
       SCOPED_TRACE(testing::Message() << n << " points, seed " << seed);
       Cloud<Epick> cloud(seed);
       Points points = cloud.uniform(n);
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, Holding_repair>
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                             CGAL::With_repair_2<Holding_repair>>
           dt(points);
       const Points others = cloud.uniform(n);
       std::copy(others.begin() + 3, others.end(), points.begin() + 3);
@@ -573,8 +576,8 @@ TEST(Merging, leaves_three_vertices)
       SCOPED_TRACE(testing::Message() << n << " points, seed " << seed);
       Cloud<Epick> cloud(seed);
       Points points = cloud.uniform(n);
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
-                                             CGAL::Border_splice_repair_2>
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                             CGAL::With_repair_2<CGAL::Border_splice_repair_2>>
           spliced(points);
       CGAL::Dynamic_Delaunay_triangulation_2<Epick> held(points);
       std::fill(points.begin() + 2, points.end(), points[2]);

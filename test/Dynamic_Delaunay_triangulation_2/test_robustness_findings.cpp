@@ -43,8 +43,8 @@ TEST(Robustness_findings, reports_that_a_population_is_certified_if_it_has_no_po
 void expect_to_keep_vertices(const Moves& moves)
 {
   Points points = Cloud<Epick>::grid(8, 8);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, CGAL::Default,
-                                         Stamped_data_structure<Epick>>
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                         CGAL::With_data_structure_2<Stamped_data_structure<Epick>>>
       dt(points.begin(), points.end());
   const auto stamps = stamps_of(dt);
   dt.move(moves.begin(), moves.end());
@@ -75,7 +75,8 @@ TEST(Robustness_findings, lets_points_part_while_relocation_brings_all_onto_a_li
 {
   using Random = CGAL::Random_classifier_2;
   using Relocating =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Random, CGAL::Relocation_repair_2>;
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Random,
+                                             CGAL::With_repair_2<CGAL::Relocation_repair_2>>;
   Points points = Cloud<Epick>::grid(4, 4);
   points.push_back(points.front());
   Relocating dt(points.begin(), points.end(), Random(1));
@@ -88,8 +89,9 @@ TEST(Robustness_findings, lets_points_part_while_relocation_brings_all_onto_a_li
 
 TEST(A_splice_that_merges, names_only_vertices_that_there_are)
 {
-  using Spliced = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2,
-                                                         CGAL::Border_splice_repair_2>;
+  using Spliced =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                             CGAL::With_repair_2<CGAL::Border_splice_repair_2>>;
   Cloud<Epick> cloud(1);
   auto points = cloud.uniform(400);
   Spliced dt(points.begin(), points.end());
@@ -130,8 +132,8 @@ TEST(A_splice_that_merges, proves_what_it_has_spliced_before)
                    {-65, 17},  {57, 31},  {-6, -65},  {-21, 63},  {-62, 19}, {67, 2},
                    {13, -66},  {24, -63}, {29, 60},   {22, -61},  {-66, -9}, {-36, 56},
                    {-16, -63}, {58, -31}, {-3, 67},   {-2, 65},   {-6, -67}, {-4, -65}};
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Circumcircle_classifier_2, Mending_repair> dt(
-      points);
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::With_repair_2<Mending_repair>>
+      dt(points);
   points[1] = {29, 60};
   points[2] = {-60, -24};
   const CGAL::Update_report_2 report = dt.update(points);

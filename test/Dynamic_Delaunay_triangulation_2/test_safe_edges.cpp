@@ -1493,8 +1493,8 @@ void update_with_faults(Dynamic& dt, const std::vector<typename Dynamic::Point>&
 }
 
 template <class Classifier, class Kernel = Epick>
-using With_faults =
-    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Audited<Classifier>, Faulty_repair>;
+using With_faults = CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Audited<Classifier>,
+                                                           CGAL::With_repair_2<Faulty_repair>>;
 
 template <class Kernel, class Classifier>
 void expect_it_goes_on_after_failures(const Mean_positions<Kernel>& means, int frames)
@@ -1631,8 +1631,9 @@ TYPED_TEST(Skipping_with, any_repair_is_exact)
   const Trembling<Epick> trembling({"uniform", Cloud<Epick>(63).uniform(300), 0}, 1e-3);
   Jumps<Epick> jumps(64);
   const auto first = trembling.at(0);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Audited<Eager_classifier>, TypeParam> dt(
-      first.begin(), first.end());
+  CGAL::Dynamic_Delaunay_triangulation_2<Epick, Audited<Eager_classifier>,
+                                         CGAL::With_repair_2<TypeParam>>
+      dt(first.begin(), first.end());
   expect_followed(dt, 200, [&](int frame) {
     auto points = trembling.at(frame);
     if (frame % 60 > 20)

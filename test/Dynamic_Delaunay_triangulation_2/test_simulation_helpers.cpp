@@ -891,8 +891,8 @@ TEST(Simulation_helpers, a_population_has_all_that_by_the_ids_of_its_triangulati
 TEST(Simulation_helpers, whoever_may_only_look_can_ask)
 {
   using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default, CGAL::Default,
-                                             CGAL::Default, CGAL::Edge_changes_visitor_2>;
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                             CGAL::With_visitor_2<CGAL::Edge_changes_visitor_2>>;
   using Edges = std::vector<CGAL::Edge_changes_visitor_2::Edge>;
   using Point = Epick::Point_2;
   CGAL::Dynamic_population_2<Dynamic, int> changing;

@@ -251,8 +251,9 @@ std::size_t expect_exact_by_regions(Static_engine_2 engine,
 // Vertices exchange their places with neighbors, there and back.
 void expect_exact_after_exchanges(Static_engine_2 engine, const Points& points)
 {
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2,
-                                                         Border_splice_repair_2>;
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2,
+                                             CGAL::With_repair_2<Border_splice_repair_2>>;
   Dynamic::Settings settings;
   settings.engines = {Static_engine_2::INSERTION, engine};
   Dynamic dt(points.begin(), points.end(), settings);
@@ -448,9 +449,9 @@ void expect_representatives_stay(const Dynamic& dt,
 
 TEST_P(Static_engines, keep_the_representatives_of_coincident_points_through_rebuilds)
 {
-  using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2,
-                                             CGAL::Rebuild_repair_2, Stamped_data_structure<Epick>>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<
+      Epick, Circumcircle_classifier_2, CGAL::With_repair_2<CGAL::Rebuild_repair_2>,
+      CGAL::With_data_structure_2<Stamped_data_structure<Epick>>>;
   std::mt19937 random(7);
   for (const int bound : {0, 1, 2, 4, 12}) {
     SCOPED_TRACE(bound);
@@ -517,7 +518,8 @@ Work_done follow(const Static_engines_2& engines, double step, bool with_jumps)
 {
   Cloud<Epick> cloud(9);
   Points points = cloud.uniform(500);
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2, Repair>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2,
+                                                         CGAL::With_repair_2<Repair>>;
   typename Dynamic::Settings settings;
   settings.engines = engines;
   Dynamic dt(points.begin(), points.end(), settings);
@@ -557,8 +559,9 @@ TEST_P(Engine_pairs, stay_exact_when_points_jump)
 TEST_P(Engine_pairs, stay_exact_when_one_point_crosses_many_others)
 {
   Points points = Cloud<Epick>::grid(24, 24);
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2,
-                                                         Border_splice_repair_2>;
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Circumcircle_classifier_2,
+                                             CGAL::With_repair_2<Border_splice_repair_2>>;
   Dynamic::Settings settings;
   settings.engines = engines();
   Dynamic dt(points.begin(), points.end(), settings);

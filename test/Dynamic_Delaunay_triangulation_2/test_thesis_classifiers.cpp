@@ -39,7 +39,8 @@ using CGAL::Dynamic_Delaunay_triangulations_2::Index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
 
 template <class Classifier, class Repair = CGAL::Default>
-using Triangulation = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, Repair>;
+using Triangulation =
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier, CGAL::With_repair_2<Repair>>;
 
 using Safe_and_circumcircle =
     CGAL::Refined_classifier_2<CGAL::Safe_region_classifier_2, CGAL::Circumcircle_classifier_2>;
@@ -306,8 +307,9 @@ TYPED_TEST(Exact_classifiers, miss_nothing_when_the_last_frame_was_left_unrepair
     Cloud<Epick> cloud(3);
     const Drift drift(cloud, 500, speed);
     Points points = drift.points(0);
-    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Audited<TypeParam>, Failing_repair> dt(
-        points.begin(), points.end(), this->m_classifier);
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, Audited<TypeParam>,
+                                           CGAL::With_repair_2<Failing_repair>>
+        dt(points.begin(), points.end(), this->m_classifier);
     int failures = 0;
     for (int frame = 1; frame <= 200; ++frame) {
       points = drift.points(frame);

@@ -267,12 +267,12 @@ private:
 };
 
 template <class Tag, class Visitor = CGAL::Default>
-using Planar = CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default,
-                                                      CGAL::Default, CGAL::Default, Visitor, Tag>;
+using Planar =
+    CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::With_visitor_2<Visitor>,
+                                           CGAL::With_concurrency_2<Tag>>;
 template <class Tag, class Visitor = CGAL::Default>
-using Periodic =
-    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Default,
-                                                    CGAL::Default, Visitor, Tag>;
+using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
+    Epick, CGAL::Default, CGAL::With_visitor_2<Visitor>, CGAL::With_concurrency_2<Tag>>;
 using Parallel = Planar<CGAL::Parallel_tag>;
 
 // Only frames without threads are compared with the oracle. Equal diaries prove all others right,
@@ -443,9 +443,9 @@ struct Spliced_motion
   template <class Tag>
   void run(Diary& diary) const
   {
-    using Spliced =
-        CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, CGAL::Border_splice_repair_2,
-                                               CGAL::Default, CGAL::Default, Noting_visitor, Tag>;
+    using Spliced = CGAL::Dynamic_Delaunay_triangulation_2<
+        Epick, CGAL::Default, CGAL::With_repair_2<CGAL::Border_splice_repair_2>,
+        CGAL::With_visitor_2<Noting_visitor>, CGAL::With_concurrency_2<Tag>>;
     typename Spliced::Settings settings;
     settings.repair = CGAL::Border_splice_repair_2(padding);
     settings.engines.region = engine;
@@ -501,9 +501,10 @@ TEST(Threads, change_nothing_where_regions_are_triangulated_by_insertion)
 // After a heuristic classifier nothing is rebuilt, even if flips leave overlapping faces.
 TEST(Threads, double_no_edge_where_flips_alone_mend_faces_that_overlap)
 {
-  using Flipping = CGAL::Dynamic_Delaunay_triangulation_2<
-      Epick, CGAL::Random_classifier_2, CGAL::Flip_repair_2, CGAL::Default,
-      CGAL::Always_dynamic_policy_2, CGAL::Delaunay_update_visitor_base_2, CGAL::Parallel_tag>;
+  using Flipping =
+      CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2,
+                                             CGAL::With_repair_2<CGAL::Flip_repair_2>,
+                                             CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
   Cloud<Epick> cloud(12);
   for (const double step : {0.5, 1., 2.}) {
     Points points = cloud.uniform(many);
@@ -694,8 +695,9 @@ TEST(Threads, triangulate_all_points_of_a_cell_at_once)
 // grids have other diagonals than what is there. No part may be left out of the search for these.
 TEST(Threads, find_all_edges_of_a_cell_that_rounding_makes_wrong)
 {
-  using Torus = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
-      Epick, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Default, CGAL::Parallel_tag>;
+  using Torus =
+      CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, CGAL::Default,
+                                                      CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
   const double side = std::sqrt(double(many));
   for (const double spacing : {1e-2, 1e-9, 1e-11}) {
     Points points = Cloud<Epick>(19).uniform(many);
@@ -720,8 +722,9 @@ struct Mended_cell
   template <class Tag>
   void run(Diary& diary) const
   {
-    using Heuristic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
-        Epick, CGAL::Random_classifier_2, CGAL::Default, CGAL::Default, CGAL::Default, Tag>;
+    using Heuristic =
+        CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2,
+                                                        CGAL::With_concurrency_2<Tag>>;
     Cloud<Epick> cloud(18);
     Points points = cloud.uniform(size);
     const double side = std::sqrt(double(size));

@@ -45,8 +45,8 @@ using With_info = CGAL::Indexed_triangulation_data_structure_2<Traits, int, int>
 template <class Traits, class Tds>
 struct Exact
 {
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Traits, CGAL::Circumcircle_classifier_2,
-                                                         CGAL::Default, Tds>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Traits, CGAL::Default,
+                                                         CGAL::With_data_structure_2<Tds>>;
   static Dynamic triangulation(const std::vector<typename Traits::Point_2>& points,
                                const CGAL::Static_engines_2& engines)
   {
@@ -59,9 +59,10 @@ struct Exact
 // A kernel, with archetypes of all that works on its points.
 struct Plain
 {
-  using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier_archetype, Repair_archetype,
-                                             With_info<Epick>, Policy_archetype, Visitor_archetype>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<
+      Epick, Classifier_archetype, CGAL::With_repair_2<Repair_archetype>,
+      CGAL::With_data_structure_2<With_info<Epick>>, CGAL::With_policy_2<Policy_archetype>,
+      CGAL::With_visitor_2<Visitor_archetype>>;
   static Dynamic triangulation(const std::vector<Epick::Point_2>& points,
                                const CGAL::Static_engines_2& engines)
   {
@@ -399,7 +400,8 @@ struct Relocated_heights : Heights
 {
   using Dynamic =
       CGAL::Dynamic_Delaunay_triangulation_2<Terrain, CGAL::Point_distance_classifier_2,
-                                             CGAL::Relocation_repair_2, With_info<Terrain>>;
+                                             CGAL::With_repair_2<CGAL::Relocation_repair_2>,
+                                             CGAL::With_data_structure_2<With_info<Terrain>>>;
   static Dynamic triangulation(const std::vector<Epick::Point_3>& points,
                                const CGAL::Static_engines_2&)
   {

@@ -136,9 +136,9 @@ private:
 
 template <class Visitor, class Classifier = CGAL::Circumcircle_classifier_2,
           class Repair = CGAL::Default, class Kernel = Epick>
-using Visited =
-    CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, Repair,
-                                           Stamped_data_structure<Kernel>, CGAL::Default, Visitor>;
+using Visited = CGAL::Dynamic_Delaunay_triangulation_2<
+    Kernel, Classifier, CGAL::With_repair_2<Repair>,
+    CGAL::With_data_structure_2<Stamped_data_structure<Kernel>>, CGAL::With_visitor_2<Visitor>>;
 
 // -------------------------------------------------------------------------------------------------
 // All repairs

@@ -48,10 +48,10 @@ inline Method method(const std::string& classifier)
 }
 
 template <class Classifier>
-using Observed_triangulation =
-    CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Observed_classifier<Classifier>,
-                                           common::Clocked_repair<run::Any_repair>, CGAL::Default,
-                                           run::Any_policy>;
+using Observed_triangulation = CGAL::Dynamic_Delaunay_triangulation_2<
+    run::Kernel, Observed_classifier<Classifier>,
+    CGAL::With_repair_2<common::Clocked_repair<run::Any_repair>>,
+    CGAL::With_policy_2<run::Any_policy>>;
 
 // Keeps a triangulation through a recording.
 template <class Classifier>

@@ -36,7 +36,8 @@ template <class Classifier, class Repair = CGAL::Default>
 class Followed_motion
 {
 public:
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Classifier, Repair>;
+  using Dynamic =
+      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, Classifier, CGAL::With_repair_2<Repair>>;
 
   // The part of run::Frame_record that sets_of_vertices() reads.
   struct Record

@@ -37,10 +37,10 @@ using Concurrency = CGAL::Sequential_tag;
 template <class Kernel, class Classifier>
 struct Maker
 {
-  using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<Kernel, Classifier, run::Any_repair,
-                                             Stamped_data_structure<Kernel>, run::Any_policy,
-                                             CGAL::Default, Concurrency>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<
+      Kernel, Classifier, CGAL::With_repair_2<run::Any_repair>,
+      CGAL::With_data_structure_2<Stamped_data_structure<Kernel>>,
+      CGAL::With_policy_2<run::Any_policy>, CGAL::With_concurrency_2<Concurrency>>;
   using Point = typename Dynamic::Point;
 
   typename Dynamic::Settings settings;

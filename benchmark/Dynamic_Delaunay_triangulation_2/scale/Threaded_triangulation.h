@@ -60,10 +60,9 @@ private:
 // The spaces in which points may be, each with its type of triangulation.
 struct In_the_plane
 {
-  using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, common::Timed_classifier,
-                                             common::Timed_repair, CGAL::Default, Rebuild_on_demand,
-                                             CGAL::Default, CGAL::Parallel_tag>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<
+      run::Kernel, common::Timed_classifier, CGAL::With_repair_2<common::Timed_repair>,
+      CGAL::With_policy_2<Rebuild_on_demand>, CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
 
   static void build(std::optional<Dynamic>& dynamic, const Points& points,
                     const Dynamic::Settings& settings)
@@ -80,10 +79,9 @@ struct In_the_plane
 // In a square with an area of one for each point.
 struct In_a_cell
 {
-  using Dynamic =
-      CGAL::Dynamic_periodic_Delaunay_triangulation_2<run::Kernel, common::Timed_classifier,
-                                                      common::Timed_repair, Rebuild_on_demand,
-                                                      CGAL::Default, CGAL::Parallel_tag>;
+  using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<
+      run::Kernel, common::Timed_classifier, CGAL::With_repair_2<common::Timed_repair>,
+      CGAL::With_policy_2<Rebuild_on_demand>, CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
 
   static void build(std::optional<Dynamic>& dynamic, const Points& points,
                     const Dynamic::Settings& settings)

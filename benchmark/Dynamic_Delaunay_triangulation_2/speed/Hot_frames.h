@@ -38,10 +38,8 @@ public:
   const std::vector<double>& nanoseconds_per_point() const { return m_times; }
 
 private:
-  using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, CGAL::Circumcircle_classifier_2,
-                                             CGAL::Default, CGAL::Default, CGAL::Default,
-                                             CGAL::Default, Concurrency_tag>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, CGAL::Default,
+                                                         CGAL::With_concurrency_2<Concurrency_tag>>;
 
   static constexpr std::size_t burst = 8; // of 1000 points they fit in a second-level cache
 

@@ -168,10 +168,9 @@ public:
   }
 
 private:
-  using Dynamic =
-      CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, common::Timed_classifier,
-                                             common::Timed_repair, CGAL::Default, CGAL::Default,
-                                             CGAL::Default, Concurrency_tag>;
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<run::Kernel, common::Timed_classifier,
+                                                         CGAL::With_repair_2<common::Timed_repair>,
+                                                         CGAL::With_concurrency_2<Concurrency_tag>>;
 
   bool go_on()
   {

@@ -42,8 +42,8 @@ public:
   using Point = Kernel::Point_2;
   using Edge_changes = CGAL::Periodic_edge_changes_visitor_2;
   using Dynamic =
-      CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
-                                                      CGAL::Default, Edge_changes>;
+      CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default,
+                                                      CGAL::With_visitor_2<Edge_changes>>;
 
   explicit Voronoi_tissue(const Parameters& parameters)
     : m_parameters(parameters)

@@ -15,6 +15,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_options_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_settings_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
@@ -75,14 +76,16 @@ struct Usual_repair_2<Classifier, std::void_t<typename Classifier::Usual_repair>
 };
 
 // The part of these types that users choose.
-template <class Chosen_classifier, class Chosen_repair, class Chosen_policy, class Chosen_visitor>
-struct Chosen_types_2
+template <class Chosen_classifier, class... Options>
+struct Chosen_types_2 : Options_check_2<Options...>
 {
   using Classifier = typename Default::Get<Chosen_classifier, Circumcircle_classifier_2>::type;
   using Repair =
-      typename Default::Get<Chosen_repair, typename Usual_repair_2<Classifier>::type>::type;
-  using Policy = typename Default::Get<Chosen_policy, Always_dynamic_policy_2>::type;
-  using Visitor = typename Default::Get<Chosen_visitor, Delaunay_update_visitor_base_2>::type;
+      typename Option_2<With_repair_2, typename Usual_repair_2<Classifier>::type, Options...>::type;
+  using Policy = typename Option_2<With_policy_2, Always_dynamic_policy_2, Options...>::type;
+  using Visitor =
+      typename Option_2<With_visitor_2, Delaunay_update_visitor_base_2, Options...>::type;
+  using Concurrency_tag = typename Option_2<With_concurrency_2, Sequential_tag, Options...>::type;
   static constexpr bool is_visitor_heard = !std::is_same_v<Visitor, Delaunay_update_visitor_base_2>;
 };
 

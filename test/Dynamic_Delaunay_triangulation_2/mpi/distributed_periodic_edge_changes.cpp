@@ -24,9 +24,8 @@ namespace distributed_periodic_edge_changes {
 
 using Changes = CGAL::Distributed_periodic_edge_changes_2;
 using Visitor = CGAL::Periodic_edge_changes_visitor_2;
-using Watched =
-    CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default, CGAL::Default,
-                                                    CGAL::Default, Visitor>;
+using Watched = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::Default,
+                                                                CGAL::With_visitor_2<Visitor>>;
 
 constexpr double length = 20;
 
