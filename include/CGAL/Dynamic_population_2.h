@@ -243,7 +243,7 @@ public:
     }
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
     m_new_ids.clear();
-    const At_exit settle{[&] { forget_gone(gone); }};
+    const At_exit record{[&] { forget_gone(gone); }};
     return m_triangulation.remove(gone.begin(), gone.end());
   }
 
@@ -398,9 +398,9 @@ private:
     read(first, beyond, id_map, point_map, m_triangulation.position_check(cell...));
     find_missing();
     m_new_ids.clear();
-    const At_exit settle{[this] {
+    const At_exit record{[this] {
       forget_gone(m_missing);
-      settle_newcomers();
+      record_newcomers();
     }};
     expect_newcomers();
     return m_triangulation.update_population(m_positions.begin(), m_positions.end(), m_missing,
@@ -549,7 +549,7 @@ private:
 
   Update_report_2 insert_newcomers()
   {
-    const At_exit settle{[this] { settle_newcomers(); }};
+    const At_exit record{[this] { record_newcomers(); }};
     expect_newcomers();
     return m_triangulation.insert(m_new_points.begin(), m_new_points.end(),
                                   std::back_inserter(m_new_ids));
@@ -557,7 +557,7 @@ private:
 
   // Records the new points that were inserted: all, unless memory ran out. Goes from the last to
   // the first, so that m_next_of links points that follow the same one in the order of the frame.
-  void settle_newcomers()
+  void record_newcomers()
   {
     for (size_type i = m_new_ids.size(); i-- > 0;) {
       const size_type id = m_new_ids[i], last = m_newcomers_follow[i];

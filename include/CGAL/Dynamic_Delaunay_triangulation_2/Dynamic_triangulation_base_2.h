@@ -715,7 +715,7 @@ protected:
       finish_visit(report);
       return report;
     } catch (...) {
-      m_core->input.settle();
+      m_core->input.forget_previous();
       throw;
     }
   }
@@ -771,7 +771,7 @@ private:
     report.certified = is_certified();
     if (change.is_frame)
       m_policy.after_update(frame(), report);
-    m_core->input.settle();
+    m_core->input.forget_previous();
     return report;
   }
 

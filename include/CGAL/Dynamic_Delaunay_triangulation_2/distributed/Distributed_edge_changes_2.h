@@ -46,7 +46,7 @@ public:
     std::set_difference(m_edges.begin(), m_edges.end(), edges.begin(), edges.end(),
                         std::back_inserter(removed));
     m_edges = std::move(edges);
-    settle(ranks, created, removed);
+    list_once(ranks, created, removed);
   }
 
   // The changes that are listed on this rank, ascending.
@@ -61,8 +61,8 @@ private:
   };
 
   // Sends all changes of an edge to one rank: if only its owner has changed they cancel out.
-  void settle(Distributed_ranks_2& ranks, const std::vector<Edge>& created,
-              const std::vector<Edge>& removed)
+  void list_once(Distributed_ranks_2& ranks, const std::vector<Edge>& created,
+                 const std::vector<Edge>& removed)
   {
     const auto changes = ranks.delivered<Change>([&](const auto& post) {
       const auto note = [&](const Edge& edge, std::int64_t sign) {

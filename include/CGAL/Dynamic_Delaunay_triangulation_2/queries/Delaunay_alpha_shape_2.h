@@ -6,9 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Exact_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Exact_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Rounded_face_2.h>
@@ -32,7 +32,7 @@ class Radius_test_2
 {
   using Arrays = Halfedge_arrays_2;
   using State = State_with_place_2<Dynamic>;
-  using Corner = typename State::Corner;
+  using Site = typename State::Site;
   using Exact = typename State::Exact;
   using Vector = Exact_vector_2<Exact>;
 
@@ -53,7 +53,7 @@ public:
   {
     if (m_state.is_outside(f))
       return false;
-    const std::array<Corner, 3> corners = corners_at(Arrays::halfedge_in(f, 0));
+    const std::array<Site, 3> corners = corners_at(Arrays::halfedge_in(f, 0));
     const Rounded_face_2 face(m_state, corners);
     const double excess = face.squared_radius() - m_square;
     if (!m_is_rounded && std::abs(excess) > 1.1 * face.error_of_squared_radius())
@@ -78,15 +78,15 @@ private:
   }
 
   // The corners of the half-edge's face: the apex of the half-edge, its source and its target.
-  std::array<Corner, 3> corners_at(Halfedge_index h) const
+  std::array<Site, 3> corners_at(Halfedge_index h) const
   {
-    const auto frame = m_state.frame_at(h);
-    return {m_state.corner_in(h, frame), m_state.corner_in(Arrays::next(h), frame),
-            m_state.corner_in(Arrays::previous(h), frame)};
+    const auto chart = m_state.chart_at(h);
+    return {m_state.site_in(h, chart), m_state.site_in(Arrays::next(h), chart),
+            m_state.site_in(Arrays::previous(h), chart)};
   }
 
   // Whether a^2 b^2 c^2 <= 4 D^2 square, for the sides and the doubled area D of the face.
-  BOOST_NOINLINE bool has_face_exactly(const std::array<Corner, 3>& corners) const
+  BOOST_NOINLINE bool has_face_exactly(const std::array<Site, 3>& corners) const
   {
     const Vector a = m_state.exact_vector(corners[0], corners[1]);
     const Vector b = m_state.exact_vector(corners[1], corners[2]);

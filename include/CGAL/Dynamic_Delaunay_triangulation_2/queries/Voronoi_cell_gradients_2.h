@@ -137,7 +137,7 @@ public:
       find_flat(space);
       add_faces(space, area_weights, perimeter_weights);
     }
-    settle(space);
+    copy_to_ids(space);
   }
 
   /// @}
@@ -256,7 +256,7 @@ private:
   }
 
   template <class Space>
-  void settle(const Space& space)
+  void copy_to_ids(const Space& space)
   {
     m_gradients.resize(space.number_of_ids()); // throws nothing
     space.for_each_range(space.number_of_ids(), [&](Index first, Index beyond) {

@@ -137,7 +137,7 @@ public:
           m_cells[c].add(part.area, part.perimeter, part.moment);
         });
     space.for_each_open_cell([&](Index c) { m_cells[c] = Cell::unbounded(); });
-    settle(space, [&](Index id, Index c) {
+    copy_to_ids(space, [&](Index id, Index c) {
       const Position p = space.position(id);
       const Cell& cell = m_cells[c];
       if (!cell.has_centroid())
@@ -169,7 +169,7 @@ public:
     start(space);
     m_cell_centroids.resize(m_cells.size());
     clip_cells(dt, box);
-    settle(space, [&](Index, Index c) { return m_cell_centroids[c]; });
+    copy_to_ids(space, [&](Index, Index c) { return m_cell_centroids[c]; });
   }
 
   /// measures the parts of the cells in a box of the kernel, whose corners are rounded to doubles.
@@ -237,7 +237,7 @@ private:
 
   // Copies the measures from cells to ids; `centroid(id, c)` is that of cell c.
   template <class Its_space, class Centroid>
-  void settle(const Its_space& space, const Centroid& centroid)
+  void copy_to_ids(const Its_space& space, const Centroid& centroid)
   {
     space.for_each_duplicate([&](Index id) { ++m_cells[space.cell(id)].points; });
     for (std::vector<double>* measures : {&m_areas, &m_perimeters, &m_shape_indices})

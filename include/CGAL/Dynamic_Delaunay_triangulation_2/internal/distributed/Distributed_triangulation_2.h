@@ -368,10 +368,10 @@ private:
     m_is_certified = false;
     if (m_load_factor < infinity)
       entries = m_order.distribute(m_ranks, space, entries);
-    return settle(space, entries);
+    return commit(space, entries);
   }
 
-  Update_report_2 settle(const Space& space, const std::vector<Entry>& entries)
+  Update_report_2 commit(const Space& space, const std::vector<Entry>& entries)
   {
     Update_report_2 report = m_points.reset(space, entries);
     m_proof.forget_zone();
@@ -468,7 +468,7 @@ private:
   void distribute_anew()
   {
     m_is_certified = false;
-    settle(space(), m_order.distribute(m_ranks, space(), owned_entries()));
+    commit(space(), m_order.distribute(m_ranks, space(), owned_entries()));
     ++m_distributions;
   }
 

@@ -153,7 +153,7 @@ private:
       m_kept.ids.add_representative(*id++);
     for (const auto& [vertex, point] : m_duplicates)
       m_kept.ids.add_duplicate(*id++, m_ids[vertex - 1], point);
-    m_kept.ids.settle();
+    m_kept.ids.finish_numbering();
   }
 
   Index number_of_vertices() const { return Index(m_kept.points.size()); }

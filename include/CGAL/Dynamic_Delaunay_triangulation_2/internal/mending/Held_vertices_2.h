@@ -219,10 +219,10 @@ private:
     if (m_state.is_infinite_face(f))
       return !m_is_hull_held || m_hull_turn.is_as_at_rest(f);
     const auto [h, i, k] = Arrays::halfedges_of(f);
-    constexpr typename State::Frame frame{};
+    constexpr typename State::Chart chart{};
     const typename State::Predicates predicates(m_state);
-    return predicates.orientation(m_state.corner_in(h, frame), m_state.corner_in(i, frame),
-                                  m_state.corner_in(k, frame)) == LEFT_TURN;
+    return predicates.orientation(m_state.site_in(h, chart), m_state.site_in(i, chart),
+                                  m_state.site_in(k, chart)) == LEFT_TURN;
   }
 
   void add_if_inverted(Face_index f)
@@ -296,11 +296,11 @@ private:
   // counterclockwise.
   bool can_flip_into_gap(Halfedge_index h) const
   {
-    constexpr typename State::Frame frame{};
-    const auto a = m_state.corner_in(h, frame);
-    const auto b = m_state.corner_in(Arrays::next(h), frame);
-    const auto c = m_state.corner_in(Arrays::previous(h), frame);
-    const auto d = m_state.corner_in(m_state.arrays().twin(h), m_state.frame_beyond(h, frame));
+    constexpr typename State::Chart chart{};
+    const auto a = m_state.site_in(h, chart);
+    const auto b = m_state.site_in(Arrays::next(h), chart);
+    const auto c = m_state.site_in(Arrays::previous(h), chart);
+    const auto d = m_state.site_in(m_state.arrays().twin(h), m_state.chart_beyond(h, chart));
     const typename State::Predicates predicates(m_state);
     return predicates.orientation(a, b, d) == LEFT_TURN &&
            predicates.orientation(d, c, a) == LEFT_TURN && m_editor.can_flip(h);

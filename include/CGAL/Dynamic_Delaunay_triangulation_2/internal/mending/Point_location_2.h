@@ -22,7 +22,7 @@ template <class State>
 struct Place_2
 {
   Face_index face = null_index;
-  typename State::Frame frame{}; // of the face, as seen from the point
+  typename State::Chart chart{}; // of the face, as seen from the point
   Vertex_index vertex = null_index;
   Halfedge_index edge =
       null_index;         // on a torus, a half-edge of the face that the point is on, if any
@@ -39,8 +39,8 @@ template <class State>
 class Point_location_2
 {
   using Arrays = Halfedge_arrays_2;
-  using Frame = typename State::Frame;
-  using Corner = typename State::Corner;
+  using Chart = typename State::Chart;
+  using Site = typename State::Site;
   using Place = Place_2<State>;
 
 public:
@@ -58,13 +58,13 @@ public:
     const Index start = arrays.corner(nearest(v, nearby, spread));
     Place place;
     place.face = Arrays::face_of(start);
-    place.frame = m_state.frame_seen_from(v, start);
+    place.chart = m_state.chart_seen_from(v, start);
     Halfedge_index h = way_out(place, v);
     while (h != null_index && may_go_on(++place.steps)) {
       const Index entry = arrays.twin(h);
-      place.frame = m_state.frame_beyond(h, place.frame);
+      place.chart = m_state.chart_beyond(h, place.chart);
       place.face = Arrays::face_of(entry);
-      h = way_on(entry, place.frame, v, place.steps % 2 == 0);
+      h = way_on(entry, place.chart, v, place.steps % 2 == 0);
     }
     if (h != null_index)
       place.face = any_face_with(v, Arrays::face_of(start));
@@ -136,9 +136,9 @@ private:
     const Halfedge_index first = Arrays::halfedge_in(place.face, 0);
     for (Halfedge_index h = first; h < first + 3; ++h) // an infinite face has one finite edge
       if (arrays.apex(h) == infinite_index)
-        return orientation(h, place.frame, v) == LEFT_TURN ? Halfedge_index(null_index) : h;
+        return orientation(h, place.chart, v) == LEFT_TURN ? Halfedge_index(null_index) : h;
     for (Halfedge_index h = first; h < first + 3; ++h)
-      if (orientation(h, place.frame, v) == RIGHT_TURN)
+      if (orientation(h, place.chart, v) == RIGHT_TURN)
         return h;
     return null_index;
   }
@@ -146,23 +146,22 @@ private:
   // Returns the edge through which to leave the face of `entry`, a half-edge that does not have v
   // on its right, or `null_index` if v is in that face. `turn` determines which edge is tested
   // first: always preferring the same one can cause detours.
-  Halfedge_index way_on(Halfedge_index entry, const Frame& frame, Vertex_index v, bool turn) const
+  Halfedge_index way_on(Halfedge_index entry, const Chart& chart, Vertex_index v, bool turn) const
   {
     if (m_state.arrays().apex(entry) == infinite_index)
       return null_index;
     const Halfedge_index next = Arrays::next(entry), previous = Arrays::previous(entry);
     const Halfedge_index first = turn ? next : previous, second = turn ? previous : next;
-    if (orientation(first, frame, v) == RIGHT_TURN)
+    if (orientation(first, chart, v) == RIGHT_TURN)
       return first;
-    return orientation(second, frame, v) == RIGHT_TURN ? second : Halfedge_index(null_index);
+    return orientation(second, chart, v) == RIGHT_TURN ? second : Halfedge_index(null_index);
   }
 
   // The orientation of the source of half-edge h, its target and v.
-  Orientation orientation(Halfedge_index h, const Frame& frame, Vertex_index v) const
+  Orientation orientation(Halfedge_index h, const Chart& chart, Vertex_index v) const
   {
-    return m_predicates.orientation(m_state.corner_in(Arrays::next(h), frame),
-                                    m_state.corner_in(Arrays::previous(h), frame),
-                                    State::corner_of(v));
+    return m_predicates.orientation(m_state.site_in(Arrays::next(h), chart),
+                                    m_state.site_in(Arrays::previous(h), chart), State::site_of(v));
   }
 
   // Finds out where in its face v is.
@@ -175,14 +174,14 @@ private:
         std::find(corners.begin(), corners.end(), infinite_index) == corners.end();
     place.is_inside = is_finite;
     for (Halfedge_index h = first; h < first + 3 && place.is_inside; ++h)
-      place.is_inside = orientation(h, place.frame, v) == LEFT_TURN;
+      place.is_inside = orientation(h, place.chart, v) == LEFT_TURN;
     if (place.is_inside)
       return;
     for (Halfedge_index h = first; h < first + 3; ++h) {
       if (arrays.apex(h) != infinite_index &&
-          m_predicates.coincide(State::corner_of(v), m_state.corner_in(h, place.frame)))
+          m_predicates.coincide(State::site_of(v), m_state.site_in(h, place.chart)))
         place.vertex = arrays.apex(h);
-      if (State::is_periodic && orientation(h, place.frame, v) == COLLINEAR)
+      if (State::is_periodic && orientation(h, place.chart, v) == COLLINEAR)
         place.edge = h;
     }
   }

@@ -191,11 +191,11 @@ public:
   // Puts in the waiting vertices, the duplicates that have left their vertices, and the new points.
   // `most_faces()` must be 0 unless everything is Delaunay. A vertex v replaces up to so many faces
   // if everything is known to stay Delaunay then. Otherwise v is just put into a face, and flips
-  // around v have to follow. After each vertex, calls `settle(v, steps, faces)` with the steps of
+  // around v have to follow. After each vertex, calls `legalize(v, steps, faces)` with the steps of
   // all walks so far and the number of replaced faces, 0 in the second case. Stops if it is false.
-  template <class Most_faces, class Settle>
+  template <class Most_faces, class Legalize>
   Counts put_in(const std::vector<Index>& parted_duplicates, const Most_faces& most_faces,
-                const Settle& settle)
+                const Legalize& legalize)
   {
     Counts counts;
     collect_places(parted_duplicates);
@@ -211,7 +211,7 @@ public:
         continue;
       if (k + 1 < m_order.size())
         hint = hint_at(v); // flips may join v with vertices that are far away
-      if (!settle(v, counts.steps, m_replaced))
+      if (!legalize(v, counts.steps, m_replaced))
         return counts;
     }
     forget_all();
@@ -340,7 +340,7 @@ private:
   typename Editor::Seen_face any_face() const
   {
     const Halfedge_index h = m_state.arrays().corner(any_vertex());
-    return {Halfedge_arrays_2::face_of(h), m_state.frame_at(h)};
+    return {Halfedge_arrays_2::face_of(h), m_state.chart_at(h)};
   }
 
   // Where to start the search for the next position.
@@ -408,7 +408,7 @@ private:
     return slot.vertex;
   }
 
-  static typename Editor::Seen_face seen(const Place& place) { return {place.face, place.frame}; }
+  static typename Editor::Seen_face seen(const Place& place) { return {place.face, place.chart}; }
 
   // Finds a polygon to put the slot's vertex in so that everything stays Delaunay. False if `most`
   // is 0, or if that is not possible. In any case reserves memory for the new edges.
@@ -417,7 +417,7 @@ private:
     constexpr std::size_t edges_of_three_faces = 6;
     const bool is_found =
         State::predicates_are_exact && most > 0 && place.is_inside &&
-        m_polygon.find_as_delaunay(m_state, place.face, place.frame, slot.vertex, most);
+        m_polygon.find_as_delaunay(m_state, place.face, place.chart, slot.vertex, most);
     if (is_found) {
       m_replaced = m_polygon.faces().size();
       m_polygon.add(slot);

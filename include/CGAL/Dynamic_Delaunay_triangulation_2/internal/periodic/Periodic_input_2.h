@@ -121,7 +121,7 @@ public:
   }
 
   // Forgets the previous positions. To be called at the end of each call of the user.
-  void settle()
+  void forget_previous()
   {
     m_positions.forget_previous();
     m_state.m_deformation.reset();

@@ -35,47 +35,46 @@ template <class State>
 class Torus_builder_2;
 
 // An image of a vertex.
-struct Periodic_corner_2
+struct Periodic_site_2
 {
   Vertex_index vertex;
   Periodic_shift_2 shift;
 
-  friend bool operator<(const Periodic_corner_2& a, const Periodic_corner_2& b)
+  friend bool operator<(const Periodic_site_2& a, const Periodic_site_2& b)
   {
     return a.vertex != b.vertex ? a.vertex < b.vertex : a.shift < b.shift;
   }
-  friend bool operator==(const Periodic_corner_2& a, const Periodic_corner_2& b)
+  friend bool operator==(const Periodic_site_2& a, const Periodic_site_2& b)
   {
     return a.vertex == b.vertex && are_equal(a.shift, b.shift);
   }
 };
 
-// The exact predicates on corners.
+// The exact predicates on sites.
 template <class State>
-class Corner_predicates_2
+class Site_predicates_2
 {
 public:
-  using Corner = Periodic_corner_2;
+  using Site = Periodic_site_2;
 
-  explicit Corner_predicates_2(const State& state)
+  explicit Site_predicates_2(const State& state)
     : m_state(state)
   {
   }
 
-  Orientation orientation(const Corner& a, const Corner& b, const Corner& c) const
+  Orientation orientation(const Site& a, const Site& b, const Site& c) const
   {
     return m_state.torus().orientation(m_state.image(a), m_state.image(b), m_state.image(c));
   }
 
   // The side of d of the circle through a, b and c, which must be counterclockwise.
-  Oriented_side side_of_circle(const Corner& a, const Corner& b, const Corner& c,
-                               const Corner& d) const
+  Oriented_side side_of_circle(const Site& a, const Site& b, const Site& c, const Site& d) const
   {
     return m_state.torus().side_of_circle(m_state.image(a), m_state.image(b), m_state.image(c),
                                           m_state.image(d));
   }
 
-  bool coincide(const Corner& a, const Corner& b) const
+  bool coincide(const Site& a, const Site& b) const
   {
     return m_state.torus().coincide(m_state.image(a), m_state.image(b));
   }
@@ -88,8 +87,8 @@ private:
 // public; only the friends can write.
 //
 // Each corner of a face, a half-edge with its apex, has a *shift*. Translated by the shifts of a
-// face, its three vertices are the corners of one triangle in the plane. Each face has a frame of
-// its own: its first corner has no shift. Along an edge, the frames of both faces differ by a
+// face, its three vertices are the corners of one triangle in the plane. Each face has a chart of
+// its own: its first corner has no shift. Along an edge, the charts of both faces differ by a
 // translation, which follows from their shifts.
 //
 // An edge may go from a vertex to an image of the same vertex, and several may connect two
@@ -192,7 +191,7 @@ public:
     return m_shifts[Arrays::next(h)] - m_shifts[Arrays::previous(m_arrays.twin(h))];
   }
 
-  // The corners of the faces at half-edge h, in the frame of its face.
+  // The corners of the faces at half-edge h, in the chart of its face.
   Edge_images_2 corners_at(Halfedge_index h) const { return corners_at(h, positions()); }
   Edge_images_2 corners_at(Halfedge_index h, const std::vector<Position_2>& positions) const
   {
@@ -203,30 +202,30 @@ public:
             image(Arrays::previous(h), positions), right};
   }
 
-  // CORNERS, as in the plane. A frame is what is added to the shifts of a face.
+  // SITES, as in the plane. A chart is what is added to the shifts of a face.
 
-  using Corner = Periodic_corner_2;
-  using Frame = Periodic_shift_2;
-  using Predicates = Corner_predicates_2<Periodic_triangulation_state_2>;
+  using Site = Periodic_site_2;
+  using Chart = Periodic_shift_2;
+  using Predicates = Site_predicates_2<Periodic_triangulation_state_2>;
   static constexpr bool predicates_are_exact = true;
 
-  static Vertex_index vertex_of(const Corner& corner) { return corner.vertex; }
-  static Corner corner_of(Vertex_index v) { return {v, no_shift}; }
-  Corner corner_in(Halfedge_index h, const Frame& frame) const
+  static Vertex_index vertex_of(const Site& site) { return site.vertex; }
+  static Site site_of(Vertex_index v) { return {v, no_shift}; }
+  Site site_in(Halfedge_index h, const Chart& chart) const
   {
-    return {m_arrays.apex(h), m_shifts[h] + frame};
+    return {m_arrays.apex(h), m_shifts[h] + chart};
   }
-  Frame frame_at(Halfedge_index h) const { return no_shift - m_shifts[h]; }
-  Frame frame_beyond(Halfedge_index h, const Frame& frame) const { return frame + transition(h); }
+  Chart chart_at(Halfedge_index h) const { return no_shift - m_shifts[h]; }
+  Chart chart_beyond(Halfedge_index h, const Chart& chart) const { return chart + transition(h); }
   // Whether an image of a point is where vertex v is.
   bool is_at(const Point& p, Vertex_index v) const
   {
     return m_torus.coincide(approximation(p), positions()[v]);
   }
-  // Returns the frame of the face of h in which the apex of h is near v.
-  Frame frame_seen_from(Vertex_index v, Halfedge_index h) const
+  // Returns the chart of the face of h in which the apex of h is near v.
+  Chart chart_seen_from(Vertex_index v, Halfedge_index h) const
   {
-    return frame_at(h) + shift_of_step(positions()[m_arrays.apex(h)], positions()[v]);
+    return chart_at(h) + shift_of_step(positions()[m_arrays.apex(h)], positions()[v]);
   }
   // Returns the shift of the lattice that is nearest to a step.
   Periodic_shift_2 shift_of_step(const Position_2& from, const Position_2& to) const
@@ -250,16 +249,15 @@ public:
   }
   // Returns the image of p in the cell, by which p is sorted in space.
   Position_2 place_in_order(const Position_2& p) const { return m_torus.wrapped(p); }
-  Image_2 image(const Corner& corner) const { return {positions()[corner.vertex], corner.shift}; }
+  Image_2 image(const Site& site) const { return {positions()[site.vertex], site.shift}; }
   // NaNs beyond the gap beside a slab.
-  Position_2 rounded_position(const Corner& corner) const
+  Position_2 rounded_position(const Site& site) const
   {
-    return m_torus.are_across(corner.shift, no_shift) ? nan_point()
-                                                      : m_torus.rounded(image(corner));
+    return m_torus.are_across(site.shift, no_shift) ? nan_point() : m_torus.rounded(image(site));
   }
   // Whether an edge goes from a to b. Walks around both in step, because one of them may have many
   // neighbors.
-  bool are_neighbors(const Corner& a, const Corner& b) const
+  bool are_neighbors(const Site& a, const Site& b) const
   {
     const Periodic_shift_2 way = b.shift - a.shift;
     const Index first = m_arrays.corner(a.vertex), other_first = m_arrays.corner(b.vertex);
@@ -298,20 +296,20 @@ public:
     return !are_equal(m_shifts[h], m_shifts[i]) || !are_equal(m_shifts[h], m_shifts[k]);
   }
   // Whether the four corners of an edge have the same shift, as seen from one of them.
-  bool is_in_one_frame(Edge_index e) const
+  bool is_in_one_chart(Edge_index e) const
   {
     using Arrays = Halfedge_arrays_2;
     const Halfedge_index h = m_arrays.halfedge(e);
     return !crosses_border(Arrays::face_of(h)) &&
            !crosses_border(Arrays::face_of(m_arrays.twin(h)));
   }
-  // Whether the arrays show the edge rightly: its vertices if it is in one frame, and else none.
+  // Whether the arrays show the edge rightly: its vertices if it is in one chart, and else none.
   bool is_shown_right(Edge_index e) const
   {
     const Edge_2& shown = m_arrays.edge(e);
     const bool has_no_vertices = shown.target == infinite_index && shown.left == infinite_index &&
                                  shown.right == infinite_index;
-    return is_in_one_frame(e) != is_shifted(e) && (!is_shifted(e) || has_no_vertices);
+    return is_in_one_chart(e) != is_shifted(e) && (!is_shifted(e) || has_no_vertices);
   }
   bool is_shifted(Edge_index e) const { return m_arrays.is_hidden(e); }
 

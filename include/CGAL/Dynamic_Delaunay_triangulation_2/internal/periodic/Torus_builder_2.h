@@ -177,7 +177,7 @@ private:
       ids().reset(number_of_ids);
       if (!point_ids.empty() && !triangulate(point_ids, points))
         insert(point_ids, points, second);
-      ids().settle();
+      ids().finish_numbering();
     } catch (...) {
       m_relocation.forget();
       exchange_content(before);

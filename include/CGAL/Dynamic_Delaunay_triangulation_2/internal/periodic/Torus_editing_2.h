@@ -176,9 +176,9 @@ public:
     if (!arrays.is_hidden(arrays.edge_of(h)) && arrays.apex(h) != arrays.apex(g) &&
         !arrays.are_apexes_neighbors(h))
       return true; // then no images of the apexes are neighbors either
-    const auto frame = m_state.frame_at(h);
-    const auto a = m_state.corner_in(h, frame);
-    const auto d = m_state.corner_in(g, m_state.frame_beyond(h, frame));
+    const auto chart = m_state.chart_at(h);
+    const auto a = m_state.site_in(h, chart);
+    const auto d = m_state.site_in(g, m_state.chart_beyond(h, chart));
     return !(a == d) && !m_state.are_neighbors(a, d);
   }
 
@@ -206,19 +206,19 @@ public:
     after_face(Arrays::face_of(g));
   }
 
-  void set_corner(Halfedge_index h, const typename State::Corner& corner)
+  void set_corner(Halfedge_index h, const typename State::Site& site)
   {
-    arrays().set_apex(h, corner.vertex);
-    shifts()[h] = corner.shift;
+    arrays().set_apex(h, site.vertex);
+    shifts()[h] = site.shift;
   }
 
-  // Puts the slot's vertex into face f. `frame` is that of f as seen from the vertex.
-  void put_in(const Slot& slot, Face_index f, const Periodic_shift_2& frame)
+  // Puts the slot's vertex into face f. `chart` is that of f as seen from the vertex.
+  void put_in(const Slot& slot, Face_index f, const Periodic_shift_2& chart)
   {
     const Periodic_shift_2 a = shifts()[Arrays::halfedge_in(f, 0)],
                            b = shifts()[Arrays::halfedge_in(f, 1)],
                            c = shifts()[Arrays::halfedge_in(f, 2)];
-    const Periodic_shift_2 v = no_shift - frame;
+    const Periodic_shift_2 v = no_shift - chart;
     arrays().put_in(slot, f);
     set_shifts(f, v, b, c);
     set_shifts(slot.faces[0], a, v, c);
@@ -226,7 +226,7 @@ public:
   }
 
   static void before_face(Index) {}
-  // Moves the frame of a face to its first corner, and updates what passes over all edges see of
+  // Moves the chart of a face to its first corner, and updates what passes over all edges see of
   // its edges.
   void after_face(Face_index f)
   {
@@ -250,7 +250,7 @@ public:
   // If the corners at an edge have the same shift, writes the edge as in the plane; else hides it.
   void show_or_hide(Edge_index e)
   {
-    if (m_state.is_in_one_frame(e))
+    if (m_state.is_in_one_chart(e))
       arrays().set_edge(e, arrays().halfedge(e));
     else
       arrays().hide_edge(e);

@@ -129,11 +129,11 @@ private:
     if (!m_state.spans_plane())
       return true;
     using Arrays = Halfedge_arrays_2;
-    std::vector<typename State::Corner> ends;
+    std::vector<typename State::Site> ends;
     for (Vertex_index v = first_vertex; v < m_state.arrays().number_of_vertices(); ++v) {
-      ends.assign(1, State::corner_of(v));
+      ends.assign(1, State::site_of(v));
       m_state.arrays().for_each_corner(v, [&](Halfedge_index h) {
-        ends.push_back(m_state.corner_in(Arrays::next(h), m_state.frame_at(h)));
+        ends.push_back(m_state.site_in(Arrays::next(h), m_state.chart_at(h)));
       });
       std::sort(ends.begin(), ends.end());
       if (std::adjacent_find(ends.begin(), ends.end()) != ends.end())

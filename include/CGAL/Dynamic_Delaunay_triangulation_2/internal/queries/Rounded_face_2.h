@@ -49,7 +49,7 @@ class Rounded_face_2
 public:
   // \pre The corners are counterclockwise.
   template <class State>
-  Rounded_face_2(const State& state, const std::array<typename State::Corner, 3>& corners)
+  Rounded_face_2(const State& state, const std::array<typename State::Site, 3>& corners)
     : m_off(0)
     , m_face{std::array<Position_2, 3>{state.vector(corners[1], corners[2], m_off),
                                        state.vector(corners[2], corners[0], m_off),

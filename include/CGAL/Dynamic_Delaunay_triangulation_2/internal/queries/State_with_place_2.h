@@ -6,9 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Exact_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Edge_filter_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Exact_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
@@ -49,8 +49,8 @@ class State_with_place_2<Dynamic, false>
 
 public:
   using Point = typename Dynamic::Point;
-  using Corner = typename State::Corner;
-  using Frame = typename State::Frame;
+  using Site = typename State::Site;
+  using Chart = typename State::Chart;
   using Predicates = const State_with_place_2&;
   using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
   using Exact = typename Exact_number_2<Coordinate>::Type;
@@ -77,7 +77,7 @@ public:
 
   const Halfedge_arrays_2& arrays() const { return m_state->arrays(); }
   Index number_of_vertices() const { return m_state->number_of_vertices(); }
-  std::pair<Index, Periodic_shift_2> id_and_shift(Corner corner) const
+  std::pair<Index, Periodic_shift_2> id_and_shift(Site corner) const
   {
     return {m_state->ids().representative(corner), no_shift};
   }
@@ -94,17 +94,17 @@ public:
     return arrays().source(h) == infinite_index || arrays().target(h) == infinite_index;
   }
 
-  static Corner corner_of(Vertex_index v) { return v; }
-  Corner corner_in(Halfedge_index h, Frame frame) const { return m_state->corner_in(h, frame); }
-  static Frame frame_at(Index) { return {}; }
-  static Frame frame_seen_from(Index, Index) { return {}; }
-  static Frame frame_beyond(Index, Frame) { return {}; }
+  static Site site_of(Vertex_index v) { return v; }
+  Site site_in(Halfedge_index h, Chart chart) const { return m_state->site_in(h, chart); }
+  static Chart chart_at(Index) { return {}; }
+  static Chart chart_seen_from(Index, Index) { return {}; }
+  static Chart chart_beyond(Index, Chart) { return {}; }
   double rounded_squared_distance(Index, Vertex_index w) const
   {
     return squared_distance(m_position, position(w));
   }
 
-  Orientation orientation(Corner a, Corner b, Corner c) const
+  Orientation orientation(Site a, Site b, Site c) const
   {
     if (m_is_exact)
       if (const int sign = filtered_orientation(position(a), position(b), position(c)))
@@ -112,27 +112,24 @@ public:
     return m_traits->orientation_2_object()(point(a), point(b), point(c));
   }
   // The side of d of the circle through a, b and c, which must be counterclockwise.
-  Oriented_side side_of_circle(Corner a, Corner b, Corner c, Corner d) const
+  Oriented_side side_of_circle(Site a, Site b, Site c, Site d) const
   {
     if (m_is_exact)
       if (const int sign = filtered_in_circle(position(a), position(b), position(c), position(d)))
         return sign > 0 ? ON_POSITIVE_SIDE : ON_NEGATIVE_SIDE;
     return m_traits->side_of_oriented_circle_2_object()(point(a), point(b), point(c), point(d));
   }
-  bool coincide(Corner a, Corner b) const
-  {
-    return internal::coincide(*m_traits, point(a), point(b));
-  }
+  bool coincide(Site a, Site b) const { return internal::coincide(*m_traits, point(a), point(b)); }
 
   // The vector between two corners, rounded. Raises `error` to a bound on the error of coordinates,
   // besides the rounding of one subtraction: infinite if nothing is known.
-  Position_2 vector(Corner from, Corner to, double& error) const
+  Position_2 vector(Site from, Site to, double& error) const
   {
     if (!m_is_exact)
       error = std::numeric_limits<double>::infinity();
     return position(to) - position(from);
   }
-  Exact_vector_2<Exact> exact_vector(Corner from, Corner to) const
+  Exact_vector_2<Exact> exact_vector(Site from, Site to) const
   {
     const auto exact = [](const Coordinate& x) { return Exact_number_2<Coordinate>::of(x); };
     const auto& p = point(from);
@@ -141,11 +138,11 @@ public:
   }
 
 private:
-  const Position_2& position(Corner corner) const
+  const Position_2& position(Site corner) const
   {
     return corner == null_index ? m_position : m_state->positions()[corner];
   }
-  Point point(Corner corner) const
+  Point point(Site corner) const
   {
     return corner == null_index ? *m_place : m_state->point(corner);
   }
@@ -166,8 +163,8 @@ class State_with_place_2<Dynamic, true>
 
 public:
   using Point = typename Dynamic::Point;
-  using Corner = typename State::Corner;
-  using Frame = typename State::Frame;
+  using Site = typename State::Site;
+  using Chart = typename State::Chart;
   using Predicates = const State_with_place_2&;
   using Exact = typename Exact_number_2<double>::Type;
 
@@ -186,7 +183,7 @@ public:
 
   const Halfedge_arrays_2& arrays() const { return m_state->arrays(); }
   Index number_of_vertices() const { return m_state->number_of_vertices(); }
-  std::pair<Index, Periodic_shift_2> id_and_shift(const Corner& corner) const
+  std::pair<Index, Periodic_shift_2> id_and_shift(const Site& corner) const
   {
     return {m_state->ids().representative(corner.vertex), corner.shift};
   }
@@ -198,46 +195,39 @@ public:
     return m_state->are_across(Halfedge_arrays_2::next(h), Halfedge_arrays_2::previous(h));
   }
 
-  static Corner corner_of(Vertex_index v) { return {v, no_shift}; }
-  Corner corner_in(Halfedge_index h, const Frame& frame) const
+  static Site site_of(Vertex_index v) { return {v, no_shift}; }
+  Site site_in(Halfedge_index h, const Chart& chart) const { return m_state->site_in(h, chart); }
+  Chart chart_at(Halfedge_index h) const { return m_state->chart_at(h); }
+  Chart chart_seen_from(Index, Halfedge_index h) const
   {
-    return m_state->corner_in(h, frame);
+    return m_state->chart_at(h) + shift_to_place(arrays().apex(h));
   }
-  Frame frame_at(Halfedge_index h) const { return m_state->frame_at(h); }
-  Frame frame_seen_from(Index, Halfedge_index h) const
+  Chart chart_beyond(Halfedge_index h, const Chart& chart) const
   {
-    return m_state->frame_at(h) + shift_to_place(arrays().apex(h));
-  }
-  Frame frame_beyond(Halfedge_index h, const Frame& frame) const
-  {
-    return m_state->frame_beyond(h, frame);
+    return m_state->chart_beyond(h, chart);
   }
   double rounded_squared_distance(Index, Vertex_index w) const
   {
     double ignored = 0;
-    const Position_2 v = vector(corner_of(null_index), {w, shift_to_place(w)}, ignored);
+    const Position_2 v = vector(site_of(null_index), {w, shift_to_place(w)}, ignored);
     return dot(v, v);
   }
 
-  Orientation orientation(const Corner& a, const Corner& b, const Corner& c) const
+  Orientation orientation(const Site& a, const Site& b, const Site& c) const
   {
     return torus().orientation(image(a), image(b), image(c));
   }
-  Oriented_side side_of_circle(const Corner& a, const Corner& b, const Corner& c,
-                               const Corner& d) const
+  Oriented_side side_of_circle(const Site& a, const Site& b, const Site& c, const Site& d) const
   {
     return torus().side_of_circle(image(a), image(b), image(c), image(d));
   }
-  bool coincide(const Corner& a, const Corner& b) const
-  {
-    return torus().coincide(image(a), image(b));
-  }
+  bool coincide(const Site& a, const Site& b) const { return torus().coincide(image(a), image(b)); }
 
   // As in the plane. Across the border of the cell, adds two coordinates, two multiples of the
   // cell's vectors, and what rounding takes from each step. The result is as good as rounded once
   // (Ogita, Rump and Oishi, 2005): a further error is below 2^-98 times the sum of all absolute
   // values.
-  Position_2 vector(const Corner& from, const Corner& to, double& error) const
+  Position_2 vector(const Site& from, const Site& to, double& error) const
   {
     const Image_2 p = image(from), q = image(to);
     if (are_equal(from.shift, to.shift))
@@ -257,7 +247,7 @@ public:
             sum(p.position.y, q.position.y, cell.ay(), cell.by())};
   }
   // Between corners on the same side of the gap beside a slab.
-  Exact_vector_2<Exact> exact_vector(const Corner& from, const Corner& to) const
+  Exact_vector_2<Exact> exact_vector(const Site& from, const Site& to) const
   {
     const Periodic_cell_2& cell = torus().cell();
     const Exact i(to.shift[0] - from.shift[0]), j(to.shift[1] - from.shift[1]);
@@ -283,7 +273,7 @@ private:
   {
     return m_state->shift_of_step(m_state->positions()[v], m_position);
   }
-  Image_2 image(const Corner& corner) const
+  Image_2 image(const Site& corner) const
   {
     return {corner.vertex == null_index ? m_position : m_state->positions()[corner.vertex],
             corner.shift};

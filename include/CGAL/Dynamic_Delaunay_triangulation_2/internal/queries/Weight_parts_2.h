@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Exact_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Exact_number_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Rounded_face_2.h>
@@ -34,7 +34,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 template <class State>
 class Rounded_weight_parts_2
 {
-  using Corner = typename State::Corner;
+  using Site = typename State::Site;
 
 public:
   explicit Rounded_weight_parts_2(const State& state)
@@ -49,7 +49,7 @@ public:
   }
 
   // Sets the parts for a place p on the edge from a to b: the ways from p to b and from a to p.
-  void add_edge(const Corner& p, const Corner& a, const Corner& b)
+  void add_edge(const Site& p, const Site& a, const Site& b)
   {
     double e = 0;
     const Position_2 way = m_state.vector(a, b, e), to = m_state.vector(p, b, e),
@@ -58,7 +58,7 @@ public:
     m_errors = {error_of_product(to, way, e), error_of_product(from, way, e)};
   }
 
-  void add_triangle(const Corner& p, const std::array<Corner, 3>& corners)
+  void add_triangle(const Site& p, const std::array<Site, 3>& corners)
   {
     double e = 0;
     const std::array<Position_2, 3> rays{m_state.vector(p, corners[0], e),
@@ -72,7 +72,7 @@ public:
 
   // Adds what the corners of a face own of it, times the sign, to the parts with these numbers.
   // Ignores numbers that no part has.
-  void add_face(const std::array<Corner, 3>& corners, const std::array<std::size_t, 3>& numbers,
+  void add_face(const std::array<Site, 3>& corners, const std::array<std::size_t, 3>& numbers,
                 int sign)
   {
     const Rounded_face_2 face(m_state, corners);
@@ -117,7 +117,7 @@ private:
 template <class State>
 class Exact_weight_parts_2
 {
-  using Corner = typename State::Corner;
+  using Site = typename State::Site;
   using Number = typename State::Exact;
   using Vector = Exact_vector_2<Number>;
 
@@ -128,21 +128,21 @@ public:
   {
   }
 
-  void add_edge(const Corner& p, const Corner& a, const Corner& b)
+  void add_edge(const Site& p, const Site& a, const Site& b)
   {
     const Vector way = m_state.exact_vector(a, b);
     m_parts[0] += dot(m_state.exact_vector(p, b), way);
     m_parts[1] += dot(m_state.exact_vector(a, p), way);
   }
 
-  void add_triangle(const Corner& p, const std::array<Corner, 3>& corners)
+  void add_triangle(const Site& p, const std::array<Site, 3>& corners)
   {
     for (std::size_t i = 0; i < 3; ++i)
       m_parts[i] += cross(m_state.exact_vector(p, corners[(i + 1) % 3]),
                           m_state.exact_vector(p, corners[(i + 2) % 3]));
   }
 
-  void add_face(const std::array<Corner, 3>& corners, const std::array<std::size_t, 3>& numbers,
+  void add_face(const std::array<Site, 3>& corners, const std::array<std::size_t, 3>& numbers,
                 int sign)
   {
     const std::array<Vector, 3> sides{m_state.exact_vector(corners[1], corners[2]),

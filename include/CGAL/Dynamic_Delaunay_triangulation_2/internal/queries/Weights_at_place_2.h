@@ -30,63 +30,63 @@ template <class State>
 class Cavity_2
 {
   using Arrays = Halfedge_arrays_2;
-  using Frame = typename State::Frame;
+  using Chart = typename State::Chart;
 
 public:
-  using Corner = typename State::Corner;
+  using Site = typename State::Site;
 
   // `places` are those of the corners in the border; the border's size can stand for 0.
   struct Face
   {
-    std::array<Corner, 3> corners;
+    std::array<Site, 3> corners;
     std::array<std::size_t, 3> places;
   };
 
   const Kept_list<Face>& faces() const { return m_faces; }
   // Counterclockwise.
-  const Kept_list<Corner>& border() const { return m_border; }
+  const Kept_list<Site>& border() const { return m_border; }
 
-  // Begins with face f, which contains the place, boundary included; `frame` is as seen from there.
-  void find(const State& state, Face_index f, const Frame& frame)
+  // Begins with face f, which contains the place, boundary included; `chart` is as seen from there.
+  void find(const State& state, Face_index f, const Chart& chart)
   {
     m_faces.clear();
     m_border.clear();
     Face face;
     for (Index i = 0; i < 3; ++i) {
       const Halfedge_index side = Arrays::halfedge_in(f, (i + 2) % 3); // begins at corner i
-      face.corners[i] = state.corner_in(Arrays::halfedge_in(f, i), frame);
+      face.corners[i] = state.site_in(Arrays::halfedge_in(f, i), chart);
       face.places[i] = m_border.size();
-      go_around(state, side, frame);
+      go_around(state, side, chart);
     }
     m_faces.push_back(face);
   }
 
 private:
-  // A face that was entered across `halfedge`, one of its own, from a face with `outer_frame`.
+  // A face that was entered across `halfedge`, one of its own, from a face with `outer_chart`.
   struct Entry
   {
     Halfedge_index halfedge;
-    Frame frame, outer_frame;
+    Chart chart, outer_chart;
     std::size_t begin, middle; // the places of the half-edge's target and apex
   };
 
   // Lists the border beyond half-edge h of a face in the cavity, from its source to before its
   // target, and the faces up to there.
-  void go_around(const State& state, Halfedge_index h, Frame frame)
+  void go_around(const State& state, Halfedge_index h, Chart chart)
   {
     for (;;) {
       const Halfedge_index entry = state.arrays().twin(h);
-      const Frame beyond = state.frame_beyond(h, frame);
+      const Chart beyond = state.chart_beyond(h, chart);
       if (is_in_cavity(state, entry, beyond)) {
-        m_entries.push_back({entry, beyond, frame, m_border.size(), 0});
+        m_entries.push_back({entry, beyond, chart, m_border.size(), 0});
         h = Arrays::next(entry);
-        frame = beyond;
+        chart = beyond;
         continue;
       }
-      m_border.push_back(state.corner_in(Arrays::next(h), frame));
+      m_border.push_back(state.site_in(Arrays::next(h), chart));
       while (!m_entries.empty() && h == Arrays::previous(m_entries.back().halfedge)) {
         h = state.arrays().twin(m_entries.back().halfedge);
-        frame = m_entries.back().outer_frame;
+        chart = m_entries.back().outer_chart;
         leave(state, m_entries.back());
         m_entries.pop_back();
       }
@@ -100,24 +100,23 @@ private:
   void leave(const State& state, const Entry& entry)
   {
     const Halfedge_index h = entry.halfedge;
-    m_faces.push_back(
-        {{state.corner_in(h, entry.frame), state.corner_in(Arrays::next(h), entry.frame),
-          state.corner_in(Arrays::previous(h), entry.frame)},
-         {entry.middle, m_border.size(), entry.begin}});
+    m_faces.push_back({{state.site_in(h, entry.chart), state.site_in(Arrays::next(h), entry.chart),
+                        state.site_in(Arrays::previous(h), entry.chart)},
+                       {entry.middle, m_border.size(), entry.begin}});
   }
 
-  static bool is_in_cavity(const State& state, Halfedge_index h, const Frame& frame)
+  static bool is_in_cavity(const State& state, Halfedge_index h, const Chart& chart)
   {
     const Face_index f = Arrays::face_of(h);
     if (state.is_outside(f))
       return false;
-    const auto corner = [&](Index i) { return state.corner_in(Arrays::halfedge_in(f, i), frame); };
-    return state.side_of_circle(corner(0), corner(1), corner(2), State::corner_of(null_index)) ==
+    const auto corner = [&](Index i) { return state.site_in(Arrays::halfedge_in(f, i), chart); };
+    return state.side_of_circle(corner(0), corner(1), corner(2), State::site_of(null_index)) ==
            ON_POSITIVE_SIDE;
   }
 
   Kept_list<Face> m_faces;
-  Kept_list<Corner> m_border;
+  Kept_list<Site> m_border;
   Kept_list<Entry> m_entries;
 };
 
@@ -141,7 +140,7 @@ class Weights_at_place_2
 {
   using Arrays = Halfedge_arrays_2;
   using State = State_with_place_2<Dynamic>;
-  using Corner = typename State::Corner;
+  using Site = typename State::Site;
 
 public:
   using Point = typename Dynamic::Point;
@@ -171,7 +170,7 @@ public:
     const Halfedge_index h = edge_with_place();
     if (h != null_index && m_state.is_outside(Arrays::face_of(m_state.arrays().twin(h))))
       return write_on_edge(h, weights);
-    m_cavity.find(m_state, m_place.face, m_place.frame);
+    m_cavity.find(m_state, m_place.face, m_place.chart);
     const auto& border = m_cavity.border();
     const std::size_t size = border.size();
     write(
@@ -195,17 +194,17 @@ public:
       return;
     if (const Halfedge_index h = edge_with_place(); h != null_index)
       return write_on_edge(h, weights);
-    const std::array<Corner, 3> corners{corner(first_halfedge()), corner(first_halfedge() + 1),
-                                        corner(first_halfedge() + 2)};
+    const std::array<Site, 3> corners{corner(first_halfedge()), corner(first_halfedge() + 1),
+                                      corner(first_halfedge() + 2)};
     write(
         3, [&](std::size_t i) { return corners[i]; },
         [&](auto& parts) { parts.add_triangle(here(), corners); }, weights);
   }
 
 private:
-  static Corner here() { return State::corner_of(null_index); }
+  static Site here() { return State::site_of(null_index); }
   Halfedge_index first_halfedge() const { return Arrays::halfedge_in(m_place.face, 0); }
-  Corner corner(Halfedge_index h) const { return m_state.corner_in(h, m_place.frame); }
+  Site corner(Halfedge_index h) const { return m_state.site_in(h, m_place.chart); }
 
   // False if the place is outside of the hull.
   bool locate(const Point& p, std::size_t number)
@@ -253,19 +252,19 @@ private:
   template <class OutputIterator>
   void write_on_edge(Halfedge_index h, OutputIterator weights)
   {
-    const std::array<Corner, 2> ends{corner(Arrays::next(h)), corner(Arrays::previous(h))};
+    const std::array<Site, 2> ends{corner(Arrays::next(h)), corner(Arrays::previous(h))};
     write(
         2, [&](std::size_t i) { return ends[i]; },
         [&](auto& parts) { parts.add_edge(here(), ends[0], ends[1]); }, weights);
   }
 
   // Writes the weights of corners whose parts `add` adds up, exactly if doubles are too imprecise.
-  template <class Corner_of, class Add, class OutputIterator>
-  void write(std::size_t size, const Corner_of& corner_of, const Add& add, OutputIterator weights)
+  template <class Site_of, class Add, class OutputIterator>
+  void write(std::size_t size, const Site_of& site_of, const Add& add, OutputIterator weights)
   {
     const auto write_all = [&](const std::vector<double>& values) {
       for (std::size_t i = 0; i < size; ++i)
-        *weights++ = Weighted_id_2{m_state.id_and_shift(corner_of(i)), values[i]};
+        *weights++ = Weighted_id_2{m_state.id_and_shift(site_of(i)), values[i]};
     };
     m_rounded.start(size);
     add(m_rounded);

@@ -167,7 +167,7 @@ public:
   }
 
   // Forgets the previous positions, at the end of a call.
-  void settle() { m_positions.forget_previous(); }
+  void forget_previous() { m_positions.forget_previous(); }
 
 private:
   // Returns whether no coordinate is rounded.

@@ -82,7 +82,7 @@ public:
   }
 
   void set_corner(Halfedge_index h, Vertex_index v) { m_arrays.set_apex(h, v); }
-  void put_in(const Slot& slot, Face_index f, typename State::Frame) { m_arrays.put_in(slot, f); }
+  void put_in(const Slot& slot, Face_index f, typename State::Chart) { m_arrays.put_in(slot, f); }
 
   void before_face(Face_index f)
   {

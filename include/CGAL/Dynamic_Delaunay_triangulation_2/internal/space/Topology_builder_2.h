@@ -128,7 +128,7 @@ private:
       m_order.merge_coincident(are_in_one_place, [&](std::size_t first, std::size_t beyond) {
         return add_vertex(first, beyond, keeps_vertex);
       });
-    m_ids.settle();
+    m_ids.finish_numbering();
   }
 
   // Each point gets a vertex, numbered by its place in the order, so threads work independently.

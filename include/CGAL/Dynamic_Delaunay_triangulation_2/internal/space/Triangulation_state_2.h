@@ -159,28 +159,28 @@ public:
   // The number of vertices in the plane that cost as much to triangulate from scratch.
   std::size_t rebuilt_vertices() const { return number_of_vertices(); }
 
-  // CORNERS ---------------------------------------------------------------------------------------
-  // A corner is a vertex as seen from a point of view, which is called a frame. In the plane all
-  // points of view are alike.
+  // SITES AND CHARTS ------------------------------------------------------------------------------
+  // A site is a vertex as seen in a chart, which says how a face is seen. In the plane all charts
+  // are alike.
 
-  using Corner = Index;
-  struct Frame
+  using Site = Index;
+  struct Chart
   {
   };
   using Predicates = Vertex_predicates_2<Triangulation_state_2>;
   static constexpr bool predicates_are_exact = !Are_known_to_be_inexact_2<Traits>::value;
 
-  static Vertex_index vertex_of(Corner corner) { return corner; }
-  static Corner corner_of(Vertex_index v) { return v; }
-  // The apex of half-edge h, as seen from a frame of the half-edge's face.
-  Corner corner_in(Halfedge_index h, Frame) const { return arrays().apex(h); }
-  // The frame of the face of h as seen from the apex of h, and the frame of the face beyond h.
-  static Frame frame_at(Index) { return {}; }
-  static Frame frame_beyond(Index, Frame) { return {}; }
-  const Position_2& rounded_position(Corner corner) const { return positions()[corner]; }
+  static Vertex_index vertex_of(Site site) { return site; }
+  static Site site_of(Vertex_index v) { return v; }
+  // The apex of half-edge h, as seen in a chart of the half-edge's face.
+  Site site_in(Halfedge_index h, Chart) const { return arrays().apex(h); }
+  // The chart of the face of h as seen from the apex of h, and the chart of the face beyond h.
+  static Chart chart_at(Index) { return {}; }
+  static Chart chart_beyond(Index, Chart) { return {}; }
+  const Position_2& rounded_position(Site site) const { return positions()[site]; }
   // Whether a point is where vertex v is.
   bool is_at(const Point& p, Vertex_index v) const { return coincide(traits(), p, point(v)); }
-  static Frame frame_seen_from(Index, Index) { return {}; }
+  static Chart chart_seen_from(Index, Index) { return {}; }
   double rounded_squared_distance(Vertex_index v, Vertex_index w) const
   {
     return rounded_squared_distance(positions()[v], positions()[w]);
@@ -196,7 +196,7 @@ public:
   }
   // The position by which p is sorted in a spatial order.
   static const Position_2& place_in_order(const Position_2& p) { return p; }
-  bool are_neighbors(Corner a, Corner b) const { return arrays().are_neighbors(a, b); }
+  bool are_neighbors(Site a, Site b) const { return arrays().are_neighbors(a, b); }
 
   bool corners_are_exact(Index) const { return positions_are_exact(); }
   // The corners of an edge, as seen from the edge.

@@ -448,7 +448,7 @@ private:
     set_edge(edge_of(previous(g)), previous(g));
   }
 
-  // Flips the edge at h where both faces lie in one frame, so that they share only this edge. Takes
+  // Flips the edge at h where both faces lie in one chart, so that they share only this edge. Takes
   // less than half of the time of flip_glued(), because it reads nothing beyond the sides.
   void flip_in_one_frame(Halfedge_index h)
   {

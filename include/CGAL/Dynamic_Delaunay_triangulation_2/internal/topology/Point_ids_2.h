@@ -142,7 +142,7 @@ public:
   }
 
   // Sorts the duplicates and collects the free ids. To be called after the last point was added.
-  void settle()
+  void finish_numbering()
   {
     const auto comes_before = [](const Duplicate& g, const Duplicate& h) { return g.id < h.id; };
     if (!std::is_sorted(m_duplicates.begin(), m_duplicates.end(), comes_before))

@@ -36,15 +36,15 @@ template <class State>
 class Star_polygon_2
 {
   using Arrays = Halfedge_arrays_2;
-  using Corner = typename State::Corner;
-  using Frame = typename State::Frame;
+  using Site = typename State::Site;
+  using Chart = typename State::Chart;
   using Predicates = typename State::Predicates;
 
 public:
   // Side i goes from the i-th corner of the polygon to the next, counterclockwise.
   struct Side
   {
-    Corner corner;
+    Site corner;
     Halfedge_index outer; // the half-edge on the other side
     Edge_index edge;
   };
@@ -74,7 +74,7 @@ public:
     const Arrays& arrays = state.arrays();
     clear(v);
     arrays.for_each_corner(v, [&](Halfedge_index h) {
-      const Corner corner = state.corner_in(Arrays::next(h), state.frame_at(h));
+      const Site corner = state.site_in(Arrays::next(h), state.chart_at(h));
       m_sides.push_back({corner, arrays.twin(h), arrays.edge_of(h)});
       m_faces.push_back(Arrays::face_of(h));
       m_edges.push_back(arrays.edge_of(Arrays::previous(h)));
@@ -83,8 +83,8 @@ public:
   }
 
   // Finds the polygon to put v in so that everything stays Delaunay, as it must be before. v is in
-  // no face; its point is strictly inside of the finite face f, whose frame as seen from v is
-  // `frame`. Returns false if the polygon would have more than `most` faces, or meets itself.
+  // no face; its point is strictly inside of the finite face f, whose chart as seen from v is
+  // `chart`. Returns false if the polygon would have more than `most` faces, or meets itself.
   //
   // It consists of the faces that flips would remove, if v divided f in three (C. Lawson 1977;
   // Guibas and Stolfi 1985): only edges opposite to v can be illegal, and such an edge is illegal
@@ -99,24 +99,24 @@ public:
   // On a torus all images of v are put in. If the polygon does not meet itself, the polygons of
   // different images have no face and no side in common. So the face beyond each side stays, v is
   // not inside of its circle, and all edges are locally Delaunay.
-  bool find_as_delaunay(const State& state, Face_index f, const Frame& frame, Vertex_index v,
+  bool find_as_delaunay(const State& state, Face_index f, const Chart& chart, Vertex_index v,
                         std::size_t most)
   {
     const Arrays& arrays = state.arrays();
     const Predicates predicates(state);
-    const Corner center = state.corner_of(v);
-    const auto is_in_circle = [&](Halfedge_index outer, const Frame& beyond) {
+    const Site center = state.site_of(v);
+    const auto is_in_circle = [&](Halfedge_index outer, const Chart& beyond) {
       return arrays.apex(outer) != infinite_index &&
              predicates.side_of_circle(
-                 state.corner_in(outer, beyond), state.corner_in(Arrays::next(outer), beyond),
-                 state.corner_in(Arrays::previous(outer), beyond), center) == ON_POSITIVE_SIDE;
+                 state.site_in(outer, beyond), state.site_in(Arrays::next(outer), beyond),
+                 state.site_in(Arrays::previous(outer), beyond), center) == ON_POSITIVE_SIDE;
     };
     clear(v);
     m_faces.push_back(f);
     m_open.clear();
     for (const Halfedge_index h :
          {Arrays::halfedge_in(f, 2), Arrays::halfedge_in(f, 1), Arrays::halfedge_in(f, 0)})
-      m_open.push_back({h, frame});
+      m_open.push_back({h, chart});
     // a point beside a slab reaches all along its side, and past its own images without an end
     std::size_t next_look = 64;
     while (!m_open.empty() && m_faces.size() <= most) {
@@ -127,7 +127,7 @@ public:
       }
       const Open open = m_open.back();
       const Halfedge_index outer = arrays.twin(open.halfedge);
-      const Frame beyond = state.frame_beyond(open.halfedge, open.frame);
+      const Chart beyond = state.chart_beyond(open.halfedge, open.chart);
       m_open.pop_back();
       if (is_in_circle(outer, beyond)) {
         m_faces.push_back(Arrays::face_of(outer));
@@ -135,8 +135,8 @@ public:
         m_open.push_back({Arrays::previous(outer), beyond});
         m_open.push_back({Arrays::next(outer), beyond});
       } else
-        m_sides.push_back({state.corner_in(Arrays::next(open.halfedge), open.frame), outer,
-                           arrays.edge_of(outer)});
+        m_sides.push_back(
+            {state.site_in(Arrays::next(open.halfedge), open.chart), outer, arrays.edge_of(outer)});
     }
     return m_faces.size() <= most && !meets_itself();
   }
@@ -219,7 +219,7 @@ private:
   struct Open
   {
     Halfedge_index halfedge;
-    Frame frame;
+    Chart chart;
   };
 
   // Whether a face inside of the polygon is there twice, or is also beyond a side: then it is
@@ -249,10 +249,7 @@ private:
 
   // DELAUNAY FACES --------------------------------------------------------------------------------
 
-  static bool is_infinite(const Corner& corner)
-  {
-    return State::vertex_of(corner) == infinite_index;
-  }
+  static bool is_infinite(const Site& corner) { return State::vertex_of(corner) == infinite_index; }
 
   bool is_at_infinity() const
   {
@@ -276,8 +273,8 @@ private:
   {
     if (last - first == 2) // a triangle
       return first + 1;
-    const Corner &source = m_sides[last].corner, &target = m_sides[first].corner;
-    const auto is_on_left = [&](const Corner& corner) {
+    const Site &source = m_sides[last].corner, &target = m_sides[first].corner;
+    const auto is_on_left = [&](const Site& corner) {
       return predicates.orientation(source, target, corner) == LEFT_TURN;
     };
     Vertex_index apex = first + 1;
@@ -347,8 +344,8 @@ private:
   bool is_ear(const State& state, const Position_2& place, Index i, Kind kind) const
   {
     const Index k = m_links[i].after;
-    const Corner &before = m_sides[i].corner, &tip = m_sides[k].corner;
-    const Corner& after = m_sides[m_links[k].after].corner;
+    const Site &before = m_sides[i].corner, &tip = m_sides[k].corner;
+    const Site& after = m_sides[m_links[k].after].corner;
     const bool ends_at_infinity = is_infinite(before) || is_infinite(after);
     if (kind == Kind::AT_INFINITY && (is_infinite(tip) || !ends_at_infinity))
       return false;
@@ -426,7 +423,7 @@ public:
     const std::size_t degree = sides.size();
     for (std::size_t i = 0; i < degree; ++i) {
       const Halfedge_index h = Halfedge_arrays_2::halfedge_in(polygon.faces()[i], 0);
-      set_corner(h, State::corner_of(polygon.center()));
+      set_corner(h, State::site_of(polygon.center()));
       set_corner(h + 1, sides[i].corner);
       set_corner(h + 2, sides[i + 1 < degree ? i + 1 : 0].corner);
     }

@@ -71,7 +71,7 @@ class Topology_editor_2
   using Editing = typename State::Editing;
   using Positions = typename State::Positions;
   using Point = typename State::Point;
-  using Frame = typename State::Frame;
+  using Chart = typename State::Chart;
   using Polygon = Star_polygon_2<State>;
 
 public:
@@ -279,11 +279,11 @@ public:
     return take_out(polygon, [&] { hand_points_to(stays, polygon.center(), p); });
   }
 
-  // A face, and its frame as seen from the vertex that is put into it.
+  // A face, and its chart as seen from the vertex that is put into it.
   struct Seen_face
   {
     Face_index face;
-    Frame frame;
+    Chart chart;
   };
 
   // Puts the slot's vertex v into a face. Throws nothing after reserve_for_new_edges(6), or after
@@ -303,7 +303,7 @@ public:
       reserve_extra(new_edges, 6);
     m_editing.reserve(3);
     m_editing.before_face(place.face);
-    m_editing.put_in(slot, place.face, place.frame);
+    m_editing.put_in(slot, place.face, place.chart);
     if (!m_changes.everything_is_new) {
       new_edges.insert(new_edges.end(), slot.edges.begin(), slot.edges.end());
       m_arrays.for_each_corner(slot.vertex,
@@ -562,8 +562,7 @@ private:
 
   auto corner_setter()
   {
-    return
-        [this](Halfedge_index h, const typename State::Corner& c) { m_editing.set_corner(h, c); };
+    return [this](Halfedge_index h, const typename State::Site& c) { m_editing.set_corner(h, c); };
   }
 
   // Calls `vacate()`, which must not throw, after the visitor was told of the faces around the

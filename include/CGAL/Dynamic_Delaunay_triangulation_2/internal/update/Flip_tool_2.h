@@ -91,7 +91,7 @@ public:
   }
 
   // Flips around a vertex that was put into a face, and opens the edges that it cannot prove.
-  void settle(Vertex_index v)
+  void legalize_around(Vertex_index v)
   {
     std::size_t flips = m_lawson.run_around(m_state, m_context.editor, v, m_edges, most_flips());
     for (std::size_t more = flips; !State::can_locate_anywhere && more > 0 && !m_edges.empty();) {

@@ -96,7 +96,7 @@ public:
       if (faces > 0)
         m_flips.spend_on_settling(faces - 1); // so many flips would do the same
       else {
-        m_flips.settle(v);
+        m_flips.legalize_around(v);
         is_delaunay = is_delaunay && proof.empty();
       }
       return !budget.is_spent() && (proof.empty() || State::can_locate_anywhere);

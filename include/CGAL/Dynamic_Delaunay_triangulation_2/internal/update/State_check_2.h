@@ -35,17 +35,16 @@ template <class State, class Use>
 constexpr bool answers(const Use&)
 {
   return std::is_invocable_v<Use, const State&, Vertex_index, Halfedge_index, Edge_index,
-                             Face_index, const typename State::Corner&,
-                             const typename State::Frame&, const Position_2&, std::vector<Index>&,
-                             const Any_function&>;
+                             Face_index, const typename State::Site&, const typename State::Chart&,
+                             const Position_2&, std::vector<Index>&, const Any_function&>;
 }
 
 // Whether expressions with a state and these values are well formed.
 #define CGAL_DYNAMIC_DELAUNAY_ANSWERS(...)                                                         \
   answers<State>([]([[maybe_unused]] const auto& s, [[maybe_unused]] const auto& v,                \
                     [[maybe_unused]] const auto& h, [[maybe_unused]] const auto& e,                \
-                    [[maybe_unused]] const auto& f, [[maybe_unused]] const auto& corner,           \
-                    [[maybe_unused]] const auto& frame, [[maybe_unused]] const auto& place,        \
+                    [[maybe_unused]] const auto& f, [[maybe_unused]] const auto& site,             \
+                    [[maybe_unused]] const auto& chart, [[maybe_unused]] const auto& place,        \
                     [[maybe_unused]] auto& edges,                                                  \
                     [[maybe_unused]] const auto& function) -> decltype(__VA_ARGS__, void()) {})
 
@@ -55,14 +54,14 @@ constexpr bool answers(const Use&)
 // `Builder` has rebuild(), build_with(), copy() and exchange(). Calls and files have an input class
 // and a `Checkpoint_space_2` of their own.
 //
-// A *corner* is a vertex as seen from a face, on a torus an image. A *frame* says how the face is
+// A *site* is a vertex as seen from a face, on a torus an image. A *chart* says how the face is
 // seen from there. A plane with circles of its own needs less: traits with their predicates, and
 // `has_euclidean_circles` (`anisotropic_plane.h` of the tests, 50 lines).
 template <class State>
 constexpr bool is_state()
 {
-  using Corner = typename State::Corner;
-  using Frame = typename State::Frame;
+  using Site = typename State::Site;
+  using Chart = typename State::Chart;
   using Predicates = typename State::Predicates;
   using Edge_test = typename State::Edge_test;
 
@@ -106,23 +105,23 @@ constexpr bool is_state()
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(s.for_each_finite_neighbor(v, function)),
                 "for_each_finite_neighbor(v, function) goes around a vertex counterclockwise");
 
-  // CORNERS AND FRAMES ---------------------------------------------------------------------------
+  // SITES AND CHARTS ---------------------------------------------------------------------------
 
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Corner>(s.corner_of(v)),
-                                              as<Vertex_index>(s.vertex_of(corner)),
-                                              as<Corner>(s.corner_in(h, frame))),
-                "corner_of(v) is a vertex as seen from itself, corner_in(h, frame) the apex of "
-                "half-edge h as seen in a frame of its face; vertex_of(corner) is the vertex");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Frame>(s.frame_at(h)),
-                                              as<Frame>(s.frame_beyond(h, frame)),
-                                              as<Frame>(s.frame_seen_from(v, h))),
-                "frame_at(h) is how the apex of h sees the face of h, frame_beyond(h, frame) "
-                "how the face beyond h is seen, frame_seen_from(v, h) how a vertex that may be "
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Site>(s.site_of(v)),
+                                              as<Vertex_index>(s.vertex_of(site)),
+                                              as<Site>(s.site_in(h, chart))),
+                "site_of(v) is a vertex as seen from itself, site_in(h, chart) the apex of "
+                "half-edge h as seen in a chart of its face; vertex_of(site) is the vertex");
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Chart>(s.chart_at(h)),
+                                              as<Chart>(s.chart_beyond(h, chart)),
+                                              as<Chart>(s.chart_seen_from(v, h))),
+                "chart_at(h) is how the apex of h sees the face of h, chart_beyond(h, chart) "
+                "how the face beyond h is seen, chart_seen_from(v, h) how a vertex that may be "
                 "far away sees the face");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<bool>(s.are_neighbors(corner, corner)),
-                                              as<Position_2>(s.rounded_position(corner))),
-                "are_neighbors(a, b) tells whether an edge connects two corners, "
-                "rounded_position(corner) where one is");
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<bool>(s.are_neighbors(site, site)),
+                                              as<Position_2>(s.rounded_position(site))),
+                "are_neighbors(a, b) tells whether an edge connects two sites, "
+                "rounded_position(site) where one is");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<double>(s.rounded_squared_distance(v, v)),
                                               as<double>(s.rounded_squared_distance(place, place))),
                 "rounded_squared_distance(), of vertices or positions, is that of the nearest "
@@ -144,10 +143,10 @@ constexpr bool is_state()
   // PROOFS ---------------------------------------------------------------------------------------
 
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(
-                    as<Orientation>(Predicates(s).orientation(corner, corner, corner)),
-                    as<Oriented_side>(Predicates(s).side_of_circle(corner, corner, corner, corner)),
-                    as<bool>(Predicates(s).coincide(corner, corner))),
-                "Predicates have orientation(), side_of_circle() and coincide() of corners, "
+                    as<Orientation>(Predicates(s).orientation(site, site, site)),
+                    as<Oriented_side>(Predicates(s).side_of_circle(site, site, site, site)),
+                    as<bool>(Predicates(s).coincide(site, site))),
+                "Predicates have orientation(), side_of_circle() and coincide() of sites, "
                 "exact");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Edge_state_2>(Edge_test(s).state(e)),
                                               as<bool>(Edge_test(s).proves_delaunay(e)),
