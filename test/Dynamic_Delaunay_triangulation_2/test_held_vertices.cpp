@@ -379,6 +379,30 @@ TEST(Held_vertices, leave_the_sides_of_a_slab_without_a_rebuild)
   }
 }
 
+// In frame 21 a vertex at a side of the slab can neither move on nor be taken out, as its faces
+// meet images of themselves. A rebuild would take a hundred times as long as a usual frame.
+TEST(Held_vertices, go_on_at_a_side_of_a_slab_where_they_cannot_be_taken_out)
+{
+  const double side = std::sqrt(1000.0);
+  std::mt19937_64 random(1), random_steps(7);
+  std::uniform_real_distribution<double> coordinate(0, side);
+  std::normal_distribution<double> step(0, 0.03);
+  Points points;
+  for (int i = 0; i < 1000; ++i) {
+    const double x = coordinate(random), y = coordinate(random);
+    points.emplace_back(x, y);
+  }
+  CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick> pt(points, Cell::slab(side, 0));
+  for (int frame = 0; frame < 24; ++frame) {
+    for (Point& p : points) {
+      const double x = step(random_steps), y = step(random_steps);
+      p = Point(p.x() + x, p.y() + y);
+    }
+    EXPECT_FALSE(pt.update(points).rebuilt()) << frame;
+    ASSERT_TRUE(pt.is_valid(true)) << frame;
+  }
+}
+
 TEST(Held_vertices, beside_a_slab_are_put_in_without_a_search_along_it)
 {
   std::mt19937_64 random(6);

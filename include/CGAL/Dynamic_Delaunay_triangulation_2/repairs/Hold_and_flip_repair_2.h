@@ -17,7 +17,8 @@ The default for exact classifiers. If so much is classified that mending would c
 rebuild, it rebuilds at once. Otherwise it holds, flips and releases: vertices that would turn a
 face over are held back, so that flips end with the Delaunay triangulation of the positions as they
 stand; then the held vertices move on, and those that cannot arrive are taken out and inserted where
-they belong (\ref DynamicDelaunayTriangulation2HoldFlipRelease).
+they belong (\ref DynamicDelaunayTriangulation2HoldFlipRelease). What is open even so, because a
+vertex at a side of a slab cannot be taken out, it flips and splices.
 
 An update with this repair and an exact classifier first looks at a sample of the edges. Where that
 shows that a rebuild costs less, it rebuilds. Where much is broken, it takes the frame in two to
@@ -56,6 +57,8 @@ public:
     mender.hold();
     mender.flip();
     mender.release();
+    if (!mender.is_done())
+      mend(mender);
   }
 
   /// flips and splices, however much is classified; rebuilds if edges are open in the end.

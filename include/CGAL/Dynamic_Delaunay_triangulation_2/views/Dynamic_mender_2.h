@@ -93,8 +93,9 @@ public:
 
   /// lets the held vertices move on to their positions, as far as no face turns over, and flips
   /// around them. The vertices that cannot arrive are taken out of their faces, and inserted at
-  /// their positions after the repair. Rebuilds if edges are open. Expected cost: proportional to
-  /// the number of held vertices.
+  /// their positions after the repair. One that cannot be taken out either, as at a side of a slab,
+  /// goes to its position, and the edges around it are open then. Rebuilds if edges are open
+  /// before. Expected cost: proportional to the number of held vertices.
   void release();
 
   /// flips edges (Lawson), starting at the open ones, until no flippable edge violates the

@@ -129,15 +129,16 @@ public:
     return has_any_moved;
   }
 
-  // Calls take_out(v) for each vertex v that is still held, until that returns false. Puts all of
-  // them at their targets then. Returns whether all were taken out.
+  // Calls take_out(v) for each vertex v that is still held, and lists those for which it returns
+  // false. Then puts all of them at their targets, whatever that does to faces.
   template <class Take_out>
-  bool take_out_rest(const Take_out& take_out)
+  void take_out_rest(const Take_out& take_out, std::vector<Index>& left)
   {
-    const bool are_out = std::all_of(m_held.begin(), m_held.end(),
-                                     [&](const Held& held) { return take_out(held.vertex); });
+    left.clear();
+    for (const Held& held : m_held)
+      if (!take_out(held.vertex))
+        left.push_back(held.vertex);
     let_go();
-    return are_out;
   }
 
   // Puts all held vertices at their targets, whatever that does to faces.

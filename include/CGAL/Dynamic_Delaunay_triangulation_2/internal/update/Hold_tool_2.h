@@ -65,9 +65,13 @@ public:
     for (unsigned round = 0; round < max_rounds && m_context.held.release(flip); ++round)
       if (!m_context.proof.empty())
         break;
-    if (!m_context.proof.empty() || !take_out_held())
-      m_context.rebuild(m_context.budget.is_spent() ? Rebuild_reason_2::BUDGET_SPENT
-                                                    : Rebuild_reason_2::STUCK);
+    const bool are_faces_right = m_context.proof.empty();
+    if (are_faces_right && take_out_held())
+      return;
+    if (m_context.budget.is_spent())
+      m_context.rebuild(Rebuild_reason_2::BUDGET_SPENT);
+    else if (!are_faces_right || !m_context.can_spare(1))
+      m_context.rebuild(Rebuild_reason_2::STUCK);
   }
 
 private:
@@ -122,14 +126,26 @@ private:
   }
 
   // Takes out the vertices that are still held, from a Delaunay triangulation. They are put in at
-  // their targets later.
+  // their targets later. Where one cannot be taken out, as at a side of a slab if its faces meet
+  // images of themselves, it goes to its target, and what that breaks is opened. Returns whether
+  // nothing is open.
   bool take_out_held()
   {
-    return m_context.held.take_out_rest([this](Vertex_index v) {
-      m_context.budget.spend(Cost_model_2::removal);
-      return m_context.can_spare(1) &&
-             (m_context.relocation.take_out_of_delaunay(v) || take_out_of_hull(v));
-    });
+    const State& state = m_context.state;
+    Proof& proof = m_context.proof;
+    m_context.held.take_out_rest(
+        [&](Vertex_index v) {
+          m_context.budget.spend(Cost_model_2::removal);
+          return proof.empty() && m_context.can_spare(1) &&
+                 (m_context.relocation.take_out_of_delaunay(v) || take_out_of_hull(v));
+        },
+        m_left);
+    for (const Vertex_index v : m_left)
+      if (!state.arrays().is_outside(v))
+        proof.open_around(state, v);
+    if (!proof.empty())
+      proof.set_faces(Proof::Faces::UNKNOWN);
+    return proof.empty();
   }
 
   // Takes out a vertex on the hull, or of high degree, and flips around. Whether the hull turns
@@ -150,6 +166,7 @@ private:
   Flip_tool_2<State>& m_flips;
   std::vector<Index> m_uncertain; // edges from which flips were tried
   std::vector<Index> m_changed;   // edges whose test was changed
+  std::vector<Index> m_left;      // vertices that could not be taken out
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
