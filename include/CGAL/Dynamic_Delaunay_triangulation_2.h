@@ -98,8 +98,8 @@ triangulation is still a valid triangulated sphere with all its vertices.
   - `With_data_structure_2<Tds>`: an `Indexed_triangulation_data_structure_2` of these traits.
     Without it, one that has no data of the user. Data that the user stores in a vertex stay in it.
     The vertices of a face change; a visitor is told when.
-  - `With_policy_2<Policy>`: a model of `DelaunayUpdatePolicy_2`, which chooses the frames to
-rebuild instead. Without it, `Always_dynamic_policy_2`.
+  - `With_policy_2<Policy>`: a model of `DelaunayUpdatePolicy_2`, which chooses the frames that are
+    rebuilt. Without it, `Always_dynamic_policy_2`.
   - `With_visitor_2<Visitor>`: a model of `DelaunayUpdateVisitor_2`, which is told what changes.
     Without it, `Delaunay_update_visitor_base_2`, which ignores all calls.
   - `With_concurrency_2<Tag>`: `Sequential_tag`, as without it, or `Parallel_tag`, which needs TBB:

@@ -14,6 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_cover_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Checkpoint_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>

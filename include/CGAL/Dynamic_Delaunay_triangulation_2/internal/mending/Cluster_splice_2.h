@@ -7,9 +7,9 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Spatial_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Static_triangulator_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Vertex_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 

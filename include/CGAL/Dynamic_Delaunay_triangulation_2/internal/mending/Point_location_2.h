@@ -40,7 +40,6 @@ class Point_location_2
 {
   using Arrays = Halfedge_arrays_2;
   using Chart = typename State::Chart;
-  using Site = typename State::Site;
   using Place = Place_2<State>;
 
 public:

@@ -15,6 +15,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_cover_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Positions_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Change_log_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
@@ -28,7 +29,6 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-struct Periodic_slacks_2;
 template <class State>
 class Torus_editing_2;
 template <class State>

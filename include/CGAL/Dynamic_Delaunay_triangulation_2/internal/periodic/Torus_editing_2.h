@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Change_log_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 #include <CGAL/Periodic_cell_2.h>

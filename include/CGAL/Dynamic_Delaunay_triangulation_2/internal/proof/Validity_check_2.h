@@ -10,7 +10,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/exceptions.h>
 #include <CGAL/number_utils.h>

@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Change_log_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 #include <CGAL/Triangulation_utils_2.h>

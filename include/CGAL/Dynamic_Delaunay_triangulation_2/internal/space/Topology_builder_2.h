@@ -15,8 +15,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Positions_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Flat_faces_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Guibas_stolfi_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Static_triangulator_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Vertex_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>

@@ -14,6 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_slack_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Positions_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Change_log_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>

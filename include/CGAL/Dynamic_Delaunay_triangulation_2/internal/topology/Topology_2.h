@@ -8,7 +8,7 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Renumbering.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Change_log_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
 
@@ -22,23 +22,6 @@ template <class State>
 class Input_frame_2;
 template <class Traits, class Tds, class VisitorCalls, class ConcurrencyTag>
 class Triangulation_state_2;
-
-// The changes since the classifier was last told: everything is new, or some edges are.
-struct Change_log_2
-{
-  bool everything_is_new = true;
-  std::vector<Index> new_edges;
-  std::vector<Index> relocated; // vertices put into other faces, or given by another image
-  Renumberings renumberings;    // meaningless if everything is new
-
-  void clear()
-  {
-    everything_is_new = false;
-    new_edges.clear();
-    relocated.clear();
-    renumberings.clear();
-  }
-};
 
 // The topology: CGAL's triangulation, whose data structure is the arrays themselves; the ids, and
 // the log of changes. Reading is public. Only two classes write: `Topology_editor_2`, which edits

@@ -99,12 +99,12 @@ public:
       flips += more;
     }
     m_context.report().flips += flips;
-    spend_on_settling(flips);
+    spend_on_legalizing(flips);
     m_context.proof.open(m_edges);
   }
 
   // The price of putting a vertex in includes the first flips.
-  void spend_on_settling(std::size_t flips)
+  void spend_on_legalizing(std::size_t flips)
   {
     constexpr std::size_t few = 8;
     m_context.budget.spend(flips > few ? (flips - few) * Cost_model_2::flip : 0);

@@ -94,7 +94,7 @@ public:
       budget.spend(Cost_model_2::insertion + Cost_model_2::step_of_a_walk * (steps - steps_before));
       steps_before = steps;
       if (faces > 0)
-        m_flips.spend_on_settling(faces - 1); // so many flips would do the same
+        m_flips.spend_on_legalizing(faces - 1); // so many flips would do the same
       else {
         m_flips.legalize_around(v);
         is_delaunay = is_delaunay && proof.empty();

@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Change_log_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_frame_2.h>
 
