@@ -13,11 +13,10 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_plane_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Input_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Plane_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Plane_editing_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Topology_builder_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Plane_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Triangulation_state_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Visitor_calls_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
@@ -52,10 +51,9 @@ struct Triangulation_types_2<Dynamic_Delaunay_triangulation_2<Traits, ChosenClas
   using Geom_traits = Traits;
   using Tds = typename Option_2<With_data_structure_2,
                                 Indexed_triangulation_data_structure_2<Traits>, Options...>::type;
-  using Visitor_calls = Visitor_calls_2<Delaunay_triangulation_2<Traits, Tds>,
-                                        Triangulation_types_2::is_visitor_heard>;
-  using State = Triangulation_state_2<Traits, Tds, Visitor_calls,
-                                      typename Triangulation_types_2::Concurrency_tag>;
+  using State =
+      Triangulation_state_2<Plane_space_2<Traits, Tds>, Triangulation_types_2::is_visitor_heard,
+                            typename Triangulation_types_2::Concurrency_tag>;
   using Input = Input_frame_2<State>;
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
 

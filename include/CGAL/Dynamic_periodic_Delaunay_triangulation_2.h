@@ -13,11 +13,12 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_input_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_editing_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_slack_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
@@ -49,9 +50,9 @@ struct Triangulation_types_2<
                 "the coordinates of points in periodic space must be of type double");
 
   using Geom_traits = Kernel;
-  using Visitor_calls = Periodic_visitor_calls_2<Triangulation_types_2::is_visitor_heard>;
-  using State = Periodic_triangulation_state_2<typename Kernel::Point_2, Visitor_calls,
-                                               typename Triangulation_types_2::Concurrency_tag>;
+  using State = Triangulation_state_2<Torus_space_2<typename Kernel::Point_2>,
+                                      Triangulation_types_2::is_visitor_heard,
+                                      typename Triangulation_types_2::Concurrency_tag>;
   using Input = Periodic_input_2<State>;
   static constexpr std::string_view checkpoint_subject =
       "Dynamic_periodic_Delaunay_triangulation_2";

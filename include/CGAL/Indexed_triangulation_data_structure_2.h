@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Indexed_elements_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Indexed_storage_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cgal/Indexed_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cgal/Indexed_storage_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_ds_face_base_2.h>
 #include <CGAL/Triangulation_ds_vertex_base_2.h>
@@ -18,15 +18,6 @@
 #include <utility>
 
 namespace CGAL {
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
-
-template <class Traits, class Tds, class VisitorCalls>
-class Topology_2;
-
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
-
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2VertexFaceClasses
 
@@ -300,8 +291,7 @@ public:
   /// @}
 
 private:
-  template <class Traits_, class Tds, class VisitorCalls>
-  friend class Dynamic_Delaunay_triangulations_2::internal::Topology_2;
+  friend class Dynamic_Delaunay_triangulations_2::internal::Indexed_storage_access_2;
 
   void attach() noexcept
   {

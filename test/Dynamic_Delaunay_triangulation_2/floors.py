@@ -7,7 +7,7 @@
 
 The table of rooms in doc/architecture.md says on which floor each room is, and in which folders its headers lie. Each
 header has to be in a room. The headers of the plane reach nothing of periodic space, what knows no dimension has no
-`_2` in its name, and no folder has more than fourteen headers.
+`_2` in its name, no folder has more than fourteen headers, and only some rooms know the writer of a state.
 """
 
 import pathlib
@@ -17,6 +17,7 @@ import sys
 PACKAGE = "CGAL/Dynamic_Delaunay_triangulation_2/"
 MOST_HEADERS = 14
 WITHOUT_DIMENSION, PERIODIC, OF_THE_PLANE = "base", "periodic", "CGAL/Dynamic_Delaunay_triangulation_2.h"
+WRITERS, WRITER = {"topology", "space", "periodic"}, r"\bState::Writer\b|\bSpace::Writer\b"
 
 
 class Room:
@@ -77,6 +78,12 @@ def broken_arrows(includes, room_of_header):
             yield f"{OF_THE_PLANE}: reaches {other}, which is for periodic space"
 
 
+def broken_writers(include, room_of_header):
+    for header, room in room_of_header.items():
+        if room is not None and room.name not in WRITERS and re.search(WRITER, (include / header).read_text()):
+            yield f"{header}: takes the writer of a state, which the room {room.name} must not"
+
+
 def broken_places(include, rooms):
     for room in rooms:
         for path in room.paths:
@@ -99,7 +106,8 @@ def main():
         sys.exit("doc/architecture.md: no table of rooms")
     includes = includes_of(include)
     room_of_header = {header: room_of(header, rooms) for header in includes}
-    broken = [*broken_arrows(includes, room_of_header), *broken_places(include, rooms)]
+    broken = [*broken_arrows(includes, room_of_header), *broken_writers(include, room_of_header),
+              *broken_places(include, rooms)]
     sys.exit("\n".join(broken) if broken else 0)
 
 

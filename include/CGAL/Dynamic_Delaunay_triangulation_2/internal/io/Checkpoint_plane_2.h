@@ -13,7 +13,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Checkpoint_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Topology_builder_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Plane_builder_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
@@ -259,7 +259,7 @@ public:
   {
     if (!has_faces())
       check_line(state);
-    Topology_builder_2<State>(state).restore(m_kept);
+    Plane_builder_2<State>(state).restore(m_kept);
   }
 
   // True in lower dimensions, where every triangulation is Delaunay.

@@ -18,29 +18,28 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The one test of an edge on a torus, with the interface that `Edge_test_2` has in the plane.
-template <class State>
+template <class Space>
 class Periodic_edge_test_2
 {
 public:
-  explicit Periodic_edge_test_2(const State& state)
-    : m_state(state)
+  explicit Periodic_edge_test_2(const Space& space)
+    : m_space(space)
   {
   }
 
   Edge_state_2 state(Edge_index e) const
   {
-    const auto& arrays = m_state.arrays();
+    const auto& arrays = m_space.arrays();
     if (arrays.is_empty_edge(e))
       return Edge_state_2::DELAUNAY;
-    if (!m_state.is_shifted(e)) {
-      using Space = typename State::Space;
-      const Edge_filter_2 filter(Space::corners(arrays.edge(e), m_state.positions()));
+    if (!m_space.is_shifted(e)) {
+      const Edge_filter_2 filter(Plane_2::corners(arrays.edge(e), m_space.positions()));
       if (filter.proves_delaunay())
         return Edge_state_2::DELAUNAY;
       if (filter.proves_illegal())
         return Edge_state_2::ILLEGAL;
     }
-    return m_state.torus().edge_state(m_state.corners_at(arrays.halfedge(e)));
+    return m_space.torus().edge_state(m_space.corners_at(arrays.halfedge(e)));
   }
 
   // Returns the exact state, because the exact test, behind its filters, costs little more here.
@@ -51,8 +50,8 @@ public:
   void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
   {
     const std::size_t before = unproved.size();
-    internal::append_unproved<typename State::Space>(m_state.arrays().edges().data(),
-                                                     m_state.positions(), first, beyond, unproved);
+    internal::append_unproved<Plane_2>(m_space.arrays().edges().data(), m_space.positions(), first,
+                                       beyond, unproved);
     keep_unproved(unproved, before);
   }
 
@@ -60,42 +59,41 @@ public:
   void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
   {
     const std::size_t first = unproved.size();
-    append_unproved_of<typename State::Space>(m_state.arrays().edges().data(), m_state.positions(),
-                                              list, unproved);
+    append_unproved_of<Plane_2>(m_space.arrays().edges().data(), m_space.positions(), list,
+                                unproved);
     keep_unproved(unproved, first);
   }
 
   bool proves_delaunay(Edge_index e) const
   {
-    const auto& arrays = m_state.arrays();
+    const auto& arrays = m_space.arrays();
     if (arrays.is_empty_edge(e))
       return true;
-    if (m_state.is_shifted(e))
-      return m_state.torus().filter_proves_delaunay(m_state.corners_at(arrays.halfedge(e)));
-    using Space = typename State::Space;
-    return Edge_filter_2(Space::corners(arrays.edge(e), m_state.positions())).proves_delaunay();
+    if (m_space.is_shifted(e))
+      return m_space.torus().filter_proves_delaunay(m_space.corners_at(arrays.halfedge(e)));
+    return Edge_filter_2(Plane_2::corners(arrays.edge(e), m_space.positions())).proves_delaunay();
   }
 
 private:
   // From place `first` on, keeps the edges that the filters of the torus do not prove, either.
   void keep_unproved(std::vector<Index>& unproved, std::size_t first) const
   {
-    const auto& arrays = m_state.arrays();
-    const auto corners = [&](Edge_index e) { return m_state.corners_at(arrays.halfedge(e)); };
+    const auto& arrays = m_space.arrays();
+    const auto corners = [&](Edge_index e) { return m_space.corners_at(arrays.halfedge(e)); };
     std::array<Index, 4> shifted;
     std::size_t kept = first, waiting = 0;
     for (std::size_t i = first; i < unproved.size(); ++i) {
       const Edge_index e = unproved[i];
       if (arrays.is_empty_edge(e))
         continue;
-      if (!m_state.is_shifted(e)) {
+      if (!m_space.is_shifted(e)) {
         unproved[kept++] = e;
         continue;
       }
       shifted[waiting++] = e;
       if (waiting < 4)
         continue;
-      const int proved = m_state.torus().filter_proves_delaunay(
+      const int proved = m_space.torus().filter_proves_delaunay(
           {corners(shifted[0]), corners(shifted[1]), corners(shifted[2]), corners(shifted[3])});
       for (waiting = 4; waiting > 0; --waiting)
         if (!(proved >> (waiting - 1) & 1))
@@ -107,7 +105,7 @@ private:
     unproved.resize(kept);
   }
 
-  const State& m_state;
+  const Space& m_space;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

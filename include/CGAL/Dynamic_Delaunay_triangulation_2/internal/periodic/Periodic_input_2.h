@@ -45,7 +45,8 @@ class Periodic_input_2
 public:
   explicit Periodic_input_2(State& state)
     : m_state(state)
-    , m_positions(state.m_positions)
+    , m_writer(state)
+    , m_positions(m_writer.positions())
     , m_editing(state)
   {
   }
@@ -104,7 +105,7 @@ public:
     if (m_cell != m_cell_before)
       m_editing.set_cell(m_cell, m_multiples);
     m_positions.accept_frame(true);
-    m_editing.ids().duplicates().swap(m_next_duplicates);
+    m_writer.ids().duplicates().swap(m_next_duplicates);
     for (const auto& [v, shift] : m_translated)
       m_editing.shift_images(v, shift);
   }
@@ -115,7 +116,7 @@ public:
     for (const auto& [v, shift] : m_translated)
       m_editing.shift_images(v, no_shift - shift);
     m_positions.take_back(true);
-    m_editing.ids().duplicates().swap(m_next_duplicates);
+    m_writer.ids().duplicates().swap(m_next_duplicates);
     if (m_cell != m_cell_before)
       m_editing.set_cell(m_cell_before, inverse(m_multiples));
   }
@@ -124,7 +125,7 @@ public:
   void forget_previous()
   {
     m_positions.forget_previous();
-    m_state.m_deformation.reset();
+    m_writer.forget_deformation();
   }
 
 private:
@@ -371,8 +372,9 @@ private:
 
   static constexpr Index prefetched_ahead = 64; // points
 
-  State& m_state;
-  typename State::Positions& m_positions;
+  const State& m_state;
+  const typename State::Writer m_writer;
+  typename State::Writer::Positions& m_positions;
   Torus_editing_2<State> m_editing;
   std::vector<Index> m_gone; // ids to be left out of the next frame
   std::vector<typename State::Ids::Duplicate> m_next_duplicates;

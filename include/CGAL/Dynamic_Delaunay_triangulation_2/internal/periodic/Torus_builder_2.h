@@ -12,15 +12,16 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_visitor_calls_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_editing_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_triangulator_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Checkpoint_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Positions_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Staying_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Writable_halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 
 #include <algorithm>
@@ -41,14 +42,17 @@ class Torus_builder_2
   using Kind = Periodic_change_2::Kind;
   using Parts = typename State::Parts;
   using Point = typename State::Point;
-  using Positions = typename State::Positions;
+  using Writer = typename State::Writer;
+  using Positions = typename Writer::Positions;
 
 public:
   explicit Torus_builder_2(State& state)
     : m_state(state)
+    , m_writer(state)
     , m_editing(state)
     , m_editor(state)
     , m_relocation(state, m_editor)
+    , m_staying(state)
   {
   }
 
@@ -61,29 +65,23 @@ public:
   void build_with(const std::vector<Index>& gone, std::vector<Index> coming_ids,
                   std::vector<Point> coming_points)
   {
-    std::vector<Index> ids = ids_without(gone);
-    std::vector<Point> points(ids.size());
-    Parts::for_each_element(ids.size(),
-                            [&](std::size_t i) { points[i] = m_state.point_of_id(ids[i]); });
-    ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
-    points.insert(points.end(), coming_points.begin(), coming_points.end());
-    const auto comes_second = [this](Point_id id) { return !keeps_vertex(id); };
-    const auto second = std::find_if(ids.begin(), ids.end(), comes_second) - ids.begin();
-    build(std::move(ids), std::move(points), std::size_t(second));
+    const auto all = m_staying.collect(gone, std::move(coming_ids), std::move(coming_points));
+    const auto comes_second = [this](Point_id id) {
+      return !m_staying.keeps_vertex(id, m_state.ids());
+    };
+    const auto second = std::find_if(all.ids.begin(), all.ids.end(), comes_second);
+    m_staying.forget();
+    build(all, std::size_t(second - all.ids.begin()));
   }
 
   // Makes the triangulation, which must be empty, a copy of another one. The visitor is not called.
   // If this throws, the copy can only be discarded.
   void copy(const State& other)
   {
-    m_state.m_torus = other.m_torus;
-    m_state.m_arrays = other.m_arrays;
-    m_state.m_shifts = other.m_shifts;
-    m_state.m_points = other.m_points;
-    m_state.m_positions.copy(other.m_positions);
-    m_state.m_ids = other.m_ids;
-    m_state.m_changes = other.m_changes;
-    m_state.m_cell_changes = other.m_cell_changes;
+    m_writer.copy(other);
+    m_writer.cell_changes() = other.number_of_cell_changes();
+    ids() = other.ids();
+    m_writer.changes() = other.changes();
   }
 
   // Restores a triangulation that was kept, and must be valid, into one without points. `shifts`
@@ -98,7 +96,7 @@ public:
       faces.apexes.push_back(kept.faces.apex(flat));
       faces.twins.push_back(Flat_faces_2::number_in_arrays(kept.faces.twin(flat)));
     }
-    m_state.m_torus = torus;
+    m_writer.set_torus(torus);
     write_points(kept.points.size(), [&](Vertex_index v) { return kept.points[v - 1]; });
     write_faces(faces);
     for (Edge_index e = 0; e < arrays().number_of_edges(); ++e)
@@ -121,62 +119,39 @@ public:
   {
     m_editing.note_all_edges(Kind::EDGE_REMOVED);
     exchange_content(other);
-    std::swap(m_state.m_changes, other.m_changes);
-    std::swap(m_state.m_cell_changes, other.m_cell_changes);
+    const Writer others(other);
+    std::swap(m_writer.changes(), others.changes());
+    std::swap(m_writer.cell_changes(), others.cell_changes());
     m_editing.note_all_edges(Kind::EDGE_CREATED);
   }
 
 private:
-  Arrays& arrays() { return m_state.m_arrays; }
-  typename State::Ids& ids() { return m_state.m_ids; }
+  Writable_halfedge_arrays_2& arrays() { return m_writer.arrays(); }
+  typename State::Ids& ids() { return m_writer.ids(); }
 
   void exchange_content(State& other)
   {
-    std::swap(m_state.m_torus, other.m_torus);
-    std::swap(m_state.m_arrays, other.m_arrays);
-    m_state.m_shifts.swap(other.m_shifts);
-    m_state.m_points.swap(other.m_points);
-    m_state.m_positions.exchange_all_but_points(other.m_positions);
-    std::swap(m_state.m_ids, other.m_ids);
-  }
-
-  bool keeps_vertex(Point_id id) const
-  {
-    return m_state.ids().is_taken(id) && m_state.ids().is_representative(id);
-  }
-
-  // Representatives come first.
-  std::vector<Index> ids_without(const std::vector<Index>& gone) const
-  {
-    std::vector<Index> ids = m_state.ids().representatives_and_duplicates();
-    std::vector<bool> goes(m_state.ids().number_of_ids());
-    for (const Point_id id : gone)
-      goes[id] = true;
-    ids.erase(std::remove_if(ids.begin(), ids.end(), [&](Point_id id) { return goes[id]; }),
-              ids.end());
-    return ids;
+    m_writer.exchange(other);
+    std::swap(ids(), Writer(other).ids());
   }
 
   // BUILDING ------------------------------------------------------------------------------------
 
   // Triangulates these points. Where points coincide, one of the first `second` points becomes the
   // representative, if any of these is among them.
-  void build(std::vector<Index> point_ids, std::vector<Point> points, std::size_t second)
+  void build(const Points_to_build_2<Point>& all, std::size_t second)
   {
-    Index number_of_ids = ids().number_of_ids();
-    for (const Point_id id : point_ids)
-      number_of_ids = (std::max)(number_of_ids, id + 1);
     const std::size_t logged = m_editing.log().size();
     m_editing.reserve(arrays().number_of_edges());
-    State before(m_state.torus().cell());
+    State before(m_state.argument());
     m_editing.note_all_edges(Kind::EDGE_REMOVED);
     exchange_content(before);
     try {
-      m_editing.changes().everything_is_new = true;
-      m_state.m_positions.forget_previous();
-      ids().reset(number_of_ids);
-      if (!point_ids.empty() && !triangulate(point_ids, points))
-        insert(point_ids, points, second);
+      m_writer.changes().everything_is_new = true;
+      m_writer.positions().forget_previous();
+      ids().reset(all.number_of_ids);
+      if (!all.ids.empty() && !triangulate(all.ids, all.points))
+        insert(all.ids, all.points, second);
       ids().finish_numbering();
     } catch (...) {
       m_relocation.forget();
@@ -214,8 +189,8 @@ private:
     append_unproved(m_state, open);
     if (flip(open, open.size() + points.size()))
       return true;
-    State empty(m_state.torus().cell());
-    empty.m_ids.reset(ids().number_of_ids());
+    State empty(m_state.argument());
+    Writer(empty).ids().reset(ids().number_of_ids());
     exchange_content(empty);
     m_editing.log().resize(logged);
     return false;
@@ -262,7 +237,7 @@ private:
   void start(Point_id id, const Point& p)
   {
     const auto [r, t] = short_basis(m_state.torus());
-    m_state.m_positions.append(p);
+    m_writer.positions().append(p);
     ids().append_vertex();
     ids().place_representative(id, 1);
     write_faces(
@@ -300,16 +275,16 @@ private:
   {
     std::vector<typename Positions::Stored_point> points;
     std::vector<Position_2> positions;
-    m_state.m_positions.template collect<Parts>(vertices, point, points, positions);
-    m_state.m_positions.exchange(points, positions);
+    m_writer.positions().template collect<Parts>(vertices, point, points, positions);
+    m_writer.positions().exchange(points, positions);
   }
 
   // Writes the faces of all vertices.
   void write_faces(const Periodic_faces_2& faces)
   {
-    m_editing.changes().everything_is_new = true;
+    m_writer.changes().everything_is_new = true;
     const Index vertices = m_state.number_of_vertices();
-    m_state.m_shifts = faces.shifts;
+    m_writer.shifts() = faces.shifts;
     arrays().template write<Parts>(vertices, 2 * vertices, [&](Face_index f, Index i) {
       const Halfedge_index h = Arrays::halfedge_in(f, i);
       return std::pair(faces.apexes[h], faces.twins[h]);
@@ -334,10 +309,12 @@ private:
 
   static constexpr std::size_t any_number = (std::numeric_limits<std::size_t>::max)();
 
-  State& m_state;
+  const State& m_state;
+  const Writer m_writer;
   Torus_editing_2<State> m_editing;
   Editor m_editor;
   Vertex_relocation_2<State> m_relocation;
+  Staying_points_2<State> m_staying;
   Lawson_flips_2 m_lawson;
   std::vector<Index> m_open; // edges to examine
   Static_engine_2 m_engine = Static_engine_2::GUIBAS_STOLFI;

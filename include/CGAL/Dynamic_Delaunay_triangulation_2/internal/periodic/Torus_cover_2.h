@@ -16,14 +16,14 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // Tests in exact arithmetic whether faces cover a torus once; the manual's page on periodic space
 // has the proof. Shifts that agree along the edges map the faces to the torus. The map's degree is
 // the sum of the faces' areas, negative for clockwise faces, divided by the area of the cell.
-template <class State>
+template <class Space>
 class Torus_cover_2
 {
   using Arrays = Halfedge_arrays_2;
 
 public:
-  explicit Torus_cover_2(const State& state)
-    : m_state(state)
+  explicit Torus_cover_2(const Space& space)
+    : m_space(space)
   {
   }
 
@@ -31,30 +31,30 @@ public:
 
   bool do_areas_sum_up() const
   {
-    const Torus_2& torus = m_state.torus();
+    const Torus_2& torus = m_space.torus();
     Torus_2::Polynomial<1> area{0, 0}, area_of_cell = torus.exact_double_area();
     for (Halfedge_index h = 0; h < arrays().number_of_halfedges(); h += 3) {
       const auto face =
-          torus.exact_double_area(m_state.image(h), m_state.image(h + 1), m_state.image(h + 2));
+          torus.exact_double_area(m_space.image(h), m_space.image(h + 1), m_space.image(h + 2));
       area = {area[0] + face[0], area[1] + face[1]};
     }
     if (CGAL::is_negative(area_of_cell[0]))
       area_of_cell[0] = -area_of_cell[0];
-    return m_state.number_of_vertices() == 0 || area == area_of_cell;
+    return m_space.number_of_vertices() == 0 || area == area_of_cell;
   }
 
 private:
-  const Arrays& arrays() const { return m_state.arrays(); }
+  const Arrays& arrays() const { return m_space.arrays(); }
 
   bool do_shifts_agree() const
   {
     for (Halfedge_index h = 0; h < arrays().number_of_halfedges(); ++h)
-      if (!are_equal(m_state.transition(h), no_shift - m_state.transition(arrays().twin(h))))
+      if (!are_equal(m_space.transition(h), no_shift - m_space.transition(arrays().twin(h))))
         return false;
     return true;
   }
 
-  const State& m_state;
+  const Space& m_space;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -9,112 +9,18 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_visitor_calls_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Change_log_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Writable_halfedge_arrays_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
 #include <array>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
-
-// One change of a periodic triangulation: an entry of the editor's log, in the words of
-// `PeriodicUpdateVisitor_2`. It names points by ids, because vertices are renumbered.
-struct Periodic_change_2
-{
-  enum class Kind { EDGE_REMOVED, EDGE_CREATED, POINT_TRANSLATED, CELL_EXCHANGED };
-
-  static Periodic_change_2 edge(Kind kind, Index i, Index j, const Periodic_shift_2& shift)
-  {
-    return {kind, i, j, {shift, no_shift}};
-  }
-  static Periodic_change_2 translation(Point_id id, const Periodic_shift_2& shift)
-  {
-    return {Kind::POINT_TRANSLATED, id, null_index, {shift, no_shift}};
-  }
-  static Periodic_change_2 exchange(const std::array<Periodic_shift_2, 2>& multiples)
-  {
-    return {Kind::CELL_EXCHANGED, null_index, null_index, multiples};
-  }
-
-  // Calls the visitor's function for this change.
-  template <class Visitor, class Dynamic>
-  void tell(Visitor& visitor, const Dynamic& dynamic) const
-  {
-    const std::size_t id = i, other = j;
-    if (kind == Kind::CELL_EXCHANGED)
-      visitor.after_cell_exchange(dynamic, shifts);
-    else if (kind == Kind::POINT_TRANSLATED)
-      visitor.after_translation(dynamic, id, shifts[0]);
-    else if (kind == Kind::EDGE_REMOVED)
-      visitor.after_edge_removal(dynamic, id, other, shifts[0]);
-    else
-      visitor.after_edge_creation(dynamic, id, other, shifts[0]);
-  }
-
-  Kind kind;
-  Index i, j;
-  std::array<Periodic_shift_2, 2> shifts; // the first one alone, unless a cell was exchanged
-};
-
-// Logs changes until a call has ended, and then tells the user's visitor, which is hidden behind a
-// function as in `Visitor_calls_2`. Where none is heard, nothing is logged.
-template <bool is_heard_>
-class Periodic_visitor_calls_2
-{
-public:
-  static constexpr bool is_heard = is_heard_;
-
-  // Call this first: both objects may be at other addresses than in the last call.
-  template <class Visitor, class Dynamic>
-  void start([[maybe_unused]] Visitor& visitor, [[maybe_unused]] const Dynamic* dynamic)
-  {
-    if constexpr (is_heard) {
-      m_visitor = &visitor;
-      m_dynamic = dynamic;
-      m_tell = [](void* v, const void* d, const Periodic_change_2& change) {
-        change.tell(*static_cast<Visitor*>(v), *static_cast<const Dynamic*>(d));
-      };
-    }
-  }
-
-  // Tells all changes since the last finish(), including those of a call that an exception has
-  // ended. If the visitor throws, the changes that follow are never told.
-  void finish()
-  {
-    if constexpr (is_heard) {
-      m_told.clear();
-      m_told.swap(m_log);
-      for (const Periodic_change_2& change : m_told)
-        m_tell(m_visitor, m_dynamic, change);
-    }
-  }
-
-  std::vector<Periodic_change_2>& log() { return m_log; }
-
-  // Reserves memory for this number of changes, beyond those of keep_memory_for().
-  void reserve(std::size_t changes)
-  {
-    if constexpr (is_heard)
-      reserve_extra(m_log, changes + m_kept);
-  }
-  void keep_memory_for(std::size_t changes)
-  {
-    m_kept = changes;
-    reserve(0);
-  }
-
-private:
-  void* m_visitor = nullptr;
-  const void* m_dynamic = nullptr;
-  void (*m_tell)(void*, const void*, const Periodic_change_2&) = nullptr;
-  std::vector<Periodic_change_2> m_log, m_told;
-  std::size_t m_kept = 0;
-};
 
 // The part of `Topology_editor_2` that is specific to a torus: keeps shifts that close up around
 // each face and agree along each edge, and logs the changes of edges for the user's visitor.
@@ -131,25 +37,21 @@ public:
 
   explicit Torus_editing_2(State& state)
     : m_state(state)
+    , m_writer(state)
   {
   }
-
-  Arrays& arrays() { return m_state.m_arrays; }
-  typename State::Ids& ids() { return m_state.m_ids; }
-  typename State::Positions& positions() { return m_state.m_positions; }
-  Change_log_2& changes() { return m_state.m_changes; }
 
   template <class Visitor, class Dynamic>
   void start_visit(Visitor& visitor, const Dynamic* dynamic)
   {
-    m_state.m_visitor_calls.start(visitor, dynamic);
+    m_writer.visitor_calls().start(visitor, dynamic);
   }
-  void finish_visit() { m_state.m_visitor_calls.finish(); }
+  void finish_visit() { m_writer.visitor_calls().finish(); }
 
   // MEMORY OF CHANGES ---------------------------------------------------------------------------
 
   using Log = std::vector<Periodic_change_2>;
-  Log& log() { return m_state.m_visitor_calls.log(); }
+  Log& log() { return m_writer.visitor_calls().log(); }
 
   // Appends the log of one part. Memory must have been reserved.
   void append(Log& others)
@@ -157,13 +59,13 @@ public:
     log().insert(log().end(), others.begin(), others.end());
     others.clear();
   }
-  void reserve(std::size_t changes) { m_state.m_visitor_calls.reserve(changes); }
+  void reserve(std::size_t changes) { m_writer.visitor_calls().reserve(changes); }
   static void reserve(Log& log, std::size_t changes)
   {
     if constexpr (Calls::is_heard)
       reserve_extra(log, changes);
   }
-  void keep_memory_for(std::size_t changes) { m_state.m_visitor_calls.keep_memory_for(changes); }
+  void keep_memory_for(std::size_t changes) { m_writer.visitor_calls().keep_memory_for(changes); }
 
   // FACES AND EDGES -----------------------------------------------------------------------------
 
@@ -285,6 +187,9 @@ public:
     after_move(v, before);
   }
 
+  // Puts a held vertex where it was before it moved, taken along with the cell.
+  void put_to_rest(Vertex_index v) { m_writer.positions().place(v, m_state.rest_position(v)); }
+
   // THE LATTICE ---------------------------------------------------------------------------------
 
   // Reserves memory for one call of after_move(), or for `number` calls of shift_images() and one
@@ -305,7 +210,7 @@ public:
   {
     if (are_equal(shift, no_shift) || arrays().is_outside(v))
       return;
-    note([&] { return Periodic_change_2::translation(ids().representative(v), shift); });
+    note([&] { return Periodic_change_2::translation(m_state.ids().representative(v), shift); });
     changes().relocated.push_back(v);
     arrays().for_each_corner(v, [&](Halfedge_index h) { shifts()[h] = shifts()[h] - shift; });
     arrays().for_each_corner(v, [&](Halfedge_index h) { after_face(Arrays::face_of(h)); });
@@ -317,16 +222,14 @@ public:
   {
     if (multiples != unit_multiples)
       note([&] { return Periodic_change_2::exchange(multiples); });
-    ++m_state.m_cell_changes;
-    m_state.m_deformation.emplace(typename State::Deformation{m_state.m_torus, multiples});
-    m_state.m_torus = Torus_2(cell);
+    m_writer.change_cell(cell, multiples);
     for (Periodic_shift_2& s : shifts())
       s = {s[0] * multiples[0][0] + s[1] * multiples[1][0],
            s[0] * multiples[0][1] + s[1] * multiples[1][1]};
   }
 
   // From now on, the previous positions are those in the present cell.
-  void rest_in_present_cell() { m_state.m_deformation.reset(); }
+  void rest_in_present_cell() { m_writer.forget_deformation(); }
 
   // SHIFTS OF CORNERS ---------------------------------------------------------------------------
 
@@ -343,7 +246,9 @@ public:
   }
 
 private:
-  std::vector<Periodic_shift_2>& shifts() { return m_state.m_shifts; }
+  Writable_halfedge_arrays_2& arrays() { return m_writer.arrays(); }
+  Change_log_2& changes() { return m_writer.changes(); }
+  std::vector<Periodic_shift_2>& shifts() { return m_writer.shifts(); }
 
   template <class Change>
   void note(const Change& change)
@@ -381,7 +286,8 @@ private:
     shifts()[Arrays::halfedge_in(f, 2)] = c;
   }
 
-  State& m_state;
+  const State& m_state;
+  const typename State::Writer m_writer;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

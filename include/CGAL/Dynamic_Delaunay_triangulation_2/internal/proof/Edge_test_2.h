@@ -36,10 +36,9 @@ enum class Edge_state_2 {
 
 namespace internal {
 
-// The space in which the points move: the open plane. All proofs about edges read the corners of an
-// edge, as seen from that edge, through the space. In the plane, a corner is its vertex's position,
-// and the vector between two corners is a difference that is rounded once: the bounds of
-// `Edge_filter_2` and `Edge_slack_2` are derived for that.
+// How passes see the corners of an edge, where its faces lie in one chart: as in the plane, a
+// corner is its vertex's position, and the vector between two corners is a difference that is
+// rounded once: the bounds of `Edge_filter_2` and `Edge_slack_2` are derived for that.
 class Plane_2
 {
 public:
@@ -289,8 +288,8 @@ public:
   void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
   {
     if (m_state.positions_are_exact())
-      return internal::append_unproved<typename State::Space>(
-          m_state.arrays().edges().data(), m_state.positions(), first, beyond, unproved);
+      return internal::append_unproved<Plane_2>(m_state.arrays().edges().data(),
+                                                m_state.positions(), first, beyond, unproved);
     for (Edge_index e = first; e < beyond; ++e)
       unproved.push_back(e);
   }
@@ -298,8 +297,8 @@ public:
   void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
   {
     if (m_state.positions_are_exact())
-      return append_unproved_of<typename State::Space>(m_state.arrays().edges().data(),
-                                                       m_state.positions(), list, unproved);
+      return append_unproved_of<Plane_2>(m_state.arrays().edges().data(), m_state.positions(), list,
+                                         unproved);
     unproved.insert(unproved.end(), list.begin(), list.end());
   }
 

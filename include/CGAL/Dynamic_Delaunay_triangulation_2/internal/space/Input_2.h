@@ -10,7 +10,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_type_basic.h>
@@ -114,7 +113,6 @@ void check_frame_length(const InputIterator& first, const InputIterator& beyond,
 }
 
 // Reads and checks the positions of a frame before anything changes, and can take the frame back.
-// Only this class has the key with which a topology lets the points of duplicates be exchanged.
 template <class State>
 class Input_frame_2
 {
@@ -123,15 +121,10 @@ class Input_frame_2
   using Parts = typename State::Parts;
 
 public:
-  class Key
-  {
-    friend class Input_frame_2;
-    Key() {}
-  };
-
   explicit Input_frame_2(State& state)
     : m_state(state)
-    , m_positions(state.m_positions)
+    , m_ids(typename State::Writer(state).ids())
+    , m_positions(typename State::Writer(state).positions())
   {
   }
 
@@ -277,13 +270,12 @@ private:
     return are_exact;
   }
 
-  void exchange_duplicates()
-  {
-    m_state.m_topology.template exchange_duplicates<State>(Key(), m_next_duplicates);
-  }
+  // The points of duplicates belong to a frame, too.
+  void exchange_duplicates() { m_ids.duplicates().swap(m_next_duplicates); }
 
-  State& m_state;
-  typename State::Positions& m_positions;
+  const State& m_state;
+  Ids& m_ids;
+  typename State::Writer::Positions& m_positions;
   std::vector<typename Ids::Duplicate> m_next_duplicates;
   bool m_were_exact = true, m_are_exact = true;
 };

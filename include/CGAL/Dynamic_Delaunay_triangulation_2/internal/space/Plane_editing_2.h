@@ -8,9 +8,8 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Change_log_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Writable_halfedge_arrays_2.h>
 #include <CGAL/Triangulation_utils_2.h>
 
 #include <cstddef>
@@ -25,36 +24,29 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 template <class State>
 class Plane_editing_2
 {
-  using Topology = typename State::Topology;
   using Arrays = Halfedge_arrays_2;
   using Slot = Arrays::Slot;
-
-  using Told = typename Topology::Visitor_calls::Change;
+  using Calls = typename State::Visitor_calls;
+  using Told = typename Calls::Change;
   using Kind = typename Told::Kind;
   using Edge = typename Told::Edge;
 
 public:
-  static constexpr bool tells_at_once = Topology::Visitor_calls::is_heard;
+  static constexpr bool tells_at_once = Calls::is_heard;
 
   explicit Plane_editing_2(State& state)
     : m_state(state)
-    , m_topology(state.m_topology)
-    , m_storage(state.m_topology.m_storage)
-    , m_arrays(state.m_topology.m_storage.m_arrays)
+    , m_writer(state)
+    , m_arrays(m_writer.arrays())
   {
   }
-
-  Arrays& arrays() { return m_arrays; }
-  typename State::Ids& ids() { return m_topology.m_ids; }
-  typename State::Positions& positions() { return m_state.m_positions; }
-  Change_log_2& changes() { return m_topology.m_changes; }
 
   template <class Visitor, class Dynamic>
   void start_visit(Visitor& visitor, const Dynamic* dynamic)
   {
-    m_topology.m_visitor_calls.start(visitor, dynamic);
+    m_writer.visitor_calls().start(visitor, dynamic);
   }
-  void finish_visit() { m_topology.m_visitor_calls.finish(); }
+  void finish_visit() { m_writer.visitor_calls().finish(); }
 
   // MEMORY OF CHANGES ---------------------------------------------------------------------------
 
@@ -75,7 +67,7 @@ public:
 
   void flip(Halfedge_index h, Log&)
   {
-    const auto f = m_topology.face_handle(Arrays::face_of(h));
+    const auto f = m_state.face_handle(Arrays::face_of(h));
     const int place = int(Arrays::place_of(h));
     tell([&] { return Told::of(Kind::BEFORE_FLIP, Edge(f, place)); });
     m_arrays.flip(h);
@@ -87,11 +79,11 @@ public:
 
   void before_face(Face_index f)
   {
-    tell([&] { return Told::of(Kind::BEFORE_FACE_REMOVAL, m_topology.face_handle(f)); });
+    tell([&] { return Told::of(Kind::BEFORE_FACE_REMOVAL, m_state.face_handle(f)); });
   }
   void after_face(Face_index f)
   {
-    tell([&] { return Told::of(Kind::AFTER_FACE_CREATION, m_topology.face_handle(f)); });
+    tell([&] { return Told::of(Kind::AFTER_FACE_CREATION, m_state.face_handle(f)); });
   }
   static void before_edge(Index) {}
   static void after_edge(Index) {}
@@ -126,43 +118,48 @@ public:
   static void reserve_for_move() {}
   static void after_move(Index, const Position_2&) {}
 
+  // Puts a held vertex exactly where it was before it moved.
+  void put_to_rest(Vertex_index v) { m_writer.positions().put_to_rest(v); }
+
   // DATA OF USERS -------------------------------------------------------------------------------
 
   // Reserves memory for the data of a vertex and two faces. Then append_slot() throws only what
   // copying a value throws.
   void reserve_for_slot()
   {
-    m_storage.m_vertex_data.reserve_extra(1);
-    m_storage.m_face_data.reserve_extra(2);
+    m_writer.storage().vertex_data().reserve_extra(1);
+    m_writer.storage().face_data().reserve_extra(2);
   }
   void append_slot()
   {
-    m_storage.m_vertex_data.append();
-    m_storage.m_face_data.append();
-    m_storage.m_face_data.append();
+    m_writer.storage().vertex_data().append();
+    m_writer.storage().face_data().append();
+    m_writer.storage().face_data().append();
   }
   void resize_data(std::size_t vertices, std::size_t faces)
   {
-    m_storage.resize_data(vertices, faces);
+    m_writer.storage().resize_data(vertices, faces);
   }
-  void renew_vertex(Vertex_index v) { m_storage.m_vertex_data.reset(v); }
-  void move_last_vertex_data_to(Vertex_index v) { m_storage.m_vertex_data.move_last_to(v); }
-  void move_last_face_data_to(Face_index f) { m_storage.m_face_data.move_last_to(f); }
+  void renew_vertex(Vertex_index v) { m_writer.storage().vertex_data().reset(v); }
+  void move_last_vertex_data_to(Vertex_index v)
+  {
+    m_writer.storage().vertex_data().move_last_to(v);
+  }
+  void move_last_face_data_to(Face_index f) { m_writer.storage().face_data().move_last_to(f); }
 
 private:
   // Tells the user's visitor, if there is one, of the change that `make()` returns.
   template <class Make>
   void tell(const Make& make)
   {
-    m_topology.m_visitor_calls.call(make);
+    m_writer.visitor_calls().call(make);
   }
-  auto handle(Vertex_index v) const { return m_topology.vertex_handle(v); }
-  std::size_t id(Vertex_index v) const { return m_topology.m_ids.representative(v); }
+  auto handle(Vertex_index v) const { return m_state.vertex_handle(v); }
+  std::size_t id(Vertex_index v) const { return m_state.ids().representative(v); }
 
-  State& m_state;
-  Topology& m_topology;
-  typename Topology::Storage& m_storage;
-  Arrays& m_arrays;
+  const State& m_state;
+  const typename State::Writer m_writer;
+  Writable_halfedge_arrays_2& m_arrays;
   Log m_log;
 };
 

@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Writable_halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -177,10 +178,7 @@ public:
   bool triangulate_as_delaunay(const State& state)
   {
     if constexpr (State::predicates_are_exact) {
-      // With more sides, flips take less time. On a torus they may be impossible: across the gap of
-      // a slab a vertex may have many images of few neighbors.
-      constexpr std::size_t max_degree = State::is_periodic ? std::size_t(-1) : 24;
-      if (m_sides.size() > max_degree || is_at_infinity())
+      if (m_sides.size() > State::max_degree_to_divide || is_at_infinity())
         return false;
       divide(Predicates(state), 0, Index(m_sides.size() - 1));
       return true;
@@ -379,7 +377,7 @@ class Star_writer_2
   using Polygon = Star_polygon_2<State>;
 
 public:
-  explicit Star_writer_2(Halfedge_arrays_2& arrays)
+  explicit Star_writer_2(Writable_halfedge_arrays_2& arrays)
     : m_arrays(arrays)
   {
   }
@@ -472,7 +470,7 @@ private:
     return {polygon.center(), {face[-2], face[-1]}, {edge[-3], edge[-2], edge[-1]}};
   }
 
-  Halfedge_arrays_2& m_arrays;
+  Writable_halfedge_arrays_2& m_arrays;
   std::vector<Open_side> m_open_sides;
 };
 

@@ -14,6 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Writable_halfedge_arrays_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -69,8 +70,9 @@ struct Patch_2
 template <class State>
 class Topology_editor_2
 {
+  using Writer = typename State::Writer;
   using Editing = typename State::Editing;
-  using Positions = typename State::Positions;
+  using Positions = typename Writer::Positions;
   using Point = typename State::Point;
   using Chart = typename State::Chart;
   using Polygon = Star_polygon_2<State>;
@@ -81,10 +83,10 @@ public:
   explicit Topology_editor_2(State& state)
     : m_state(state)
     , m_editing(state)
-    , m_arrays(m_editing.arrays())
-    , m_ids(m_editing.ids())
-    , m_positions(m_editing.positions())
-    , m_changes(m_editing.changes())
+    , m_arrays(Writer(state).arrays())
+    , m_ids(Writer(state).ids())
+    , m_positions(Writer(state).positions())
+    , m_changes(Writer(state).changes())
     , m_star_writer(m_arrays)
   {
   }
@@ -468,7 +470,7 @@ public:
   // Otherwise the vertex moves with its representative.
   void move(const std::vector<Index>& ids, const std::vector<Point>& points, bool are_exact)
   {
-    m_positions.m_are_exact &= are_exact;
+    m_positions.note_exactness(are_exact);
     if (ids.empty())
       return;
     reserve_for_duplicates(ids.size());
@@ -491,13 +493,7 @@ public:
   }
   void place(Vertex_index v, const Position_2& p) { m_positions.place(v, p); }
   // Puts a vertex where it was before it moved; on a torus, where the cell has taken that along.
-  void put_to_rest(Vertex_index v)
-  {
-    if constexpr (State::is_periodic)
-      m_positions.place(v, m_state.rest_position(v));
-    else
-      m_positions.put_to_rest(v);
-  }
+  void put_to_rest(Vertex_index v) { m_editing.put_to_rest(v); }
   void restore(Vertex_index v, const typename Positions::Stored_point& p)
   {
     m_positions.restore(v, p);
@@ -686,7 +682,7 @@ private:
 
   const State& m_state;
   Editing m_editing;
-  Halfedge_arrays_2& m_arrays;
+  Writable_halfedge_arrays_2& m_arrays;
   typename State::Ids& m_ids;
   Positions& m_positions;
   Change_log_2& m_changes;

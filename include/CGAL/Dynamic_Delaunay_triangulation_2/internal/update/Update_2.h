@@ -14,7 +14,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_tools_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/State_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_choices_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_context_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_outlook_2.h>
@@ -53,7 +52,6 @@ public:
     , m_tools(state)
     , m_context(m_tools.context)
   {
-    static_assert(is_state<State>());
   }
 
   bool is_certified() const { return m_is_certified; }

@@ -1,26 +1,28 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_TOPOLOGY_BUILDER_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_TOPOLOGY_BUILDER_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_PLANE_BUILDER_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_PLANE_BUILDER_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cgal/Indexed_storage_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Spatial_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Checkpoint_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Plane_editing_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Point_numbering_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Positions_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Triangulation_state_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Staying_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Static_triangulator_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Vertex_order_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
-#include <CGAL/enum.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Writable_halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
 
 #include <boost/iterator/counting_iterator.hpp>
 
@@ -31,184 +33,32 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Puts points into a spatial order, distinguishes representatives from duplicates, and numbers the
-// vertices in that order. Of coincident points, it makes one that keeps its vertex, if there is
-// any, the representative.
-template <class State>
-class Point_numbering_2
-{
-  using Point = typename State::Point;
-  using Ids = Point_ids_2<Point>;
-  using Parts = typename State::Parts;
-
-public:
-  explicit Point_numbering_2(const State& state)
-    : m_state(state)
-  {
-  }
-
-  // Numbers these points with these ids. All ids are smaller than `number_of_ids`.
-  // `keeps_vertex(id)` is true if the point already has a vertex of its own, and stays.
-  template <class Predicate>
-  void number(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids,
-              const Predicate& keeps_vertex)
-  {
-    m_point_ids = std::move(ids);
-    m_points = std::move(points);
-    sort_points();
-    number_points(number_of_ids, keeps_vertex);
-  }
-
-  // Numbers the vertices of the maintained triangulation, at their present positions and in this
-  // order. No vertices may coincide, and there must be no duplicates.
-  void number(Spatial_order_2 order)
-  {
-    const Index vertices = m_state.number_of_vertices();
-    m_order = std::move(order);
-    m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
-    m_points.resize(vertices + std::size_t(1));
-    Parts::for_each_element(vertices, [&](std::size_t i) {
-      const Vertex_index v = Index(i + 1);
-      m_point_ids[v] = m_state.ids().representative(v);
-      m_points[v] = m_state.point(v);
-    });
-    number_points(m_state.ids().number_of_ids(), [](Index) { return true; });
-  }
-
-  // Numbers all points of the maintained triangulation, at their present positions.
-  void number()
-  {
-    const Ids& ids = m_state.ids();
-    std::vector<Index> point_ids = ids.representatives_and_duplicates();
-    std::vector<Point> points;
-    points.reserve(point_ids.size());
-    for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v)
-      points.push_back(m_state.point(v));
-    for (const auto& duplicate : ids.duplicates())
-      points.push_back(duplicate.point);
-    number(std::move(point_ids), std::move(points), ids.number_of_ids(),
-           [&](Point_id id) { return ids.is_representative(id); });
-  }
-
-  // The spatial order of the vertices, given by their new numbers.
-  const Spatial_order_2& order() const { return m_order; }
-  // The results: the ids, and the point of each vertex.
-  Ids& ids() { return m_ids; }
-  const Point& point(Vertex_index vertex) const { return m_points[m_place_of_vertex[vertex - 1]]; }
-
-  // Free the memory of the points, of the order, or of everything. Throw nothing.
-  void release_points()
-  {
-    std::vector<Point>().swap(m_points);
-    std::vector<Index>().swap(m_point_ids);
-    std::vector<Index>().swap(m_place_of_vertex);
-  }
-  void release_order() { m_order.release(); }
-  void release()
-  {
-    release_points();
-    release_order();
-    m_ids = Ids();
-  }
-
-private:
-  // Replaces the indices of points in the order by numbers of vertices.
-  template <class Predicate>
-  void number_points(Index number_of_ids, const Predicate& keeps_vertex)
-  {
-    const auto are_in_one_place = [this](Index i, Index j) {
-      return coincide(m_state.traits(), m_points[i], m_points[j]);
-    };
-    m_ids.reset(number_of_ids);
-    m_place_of_vertex.clear();
-    m_place_of_vertex.reserve(m_points.size());
-    if (m_order.template are_distinct<Parts>(are_in_one_place))
-      number_distinct_points();
-    else
-      m_order.merge_coincident(are_in_one_place, [&](std::size_t first, std::size_t beyond) {
-        return add_vertex(first, beyond, keeps_vertex);
-      });
-    m_ids.finish_numbering();
-  }
-
-  // Each point gets a vertex, numbered by its place in the order, so threads work independently.
-  void number_distinct_points()
-  {
-    m_place_of_vertex.resize(m_order.size());
-    m_ids.resize(Index(m_order.size()));
-    Parts::for_each_element(m_order.size(), [&](std::size_t i) {
-      const Index place = m_order[i], vertex = Index(i) + 1;
-      m_place_of_vertex[i] = place;
-      m_ids.set_representative(vertex, m_point_ids[place]);
-      m_order.renumber(i, vertex);
-    });
-  }
-
-  void sort_points()
-  {
-    const boost::counting_iterator<Index> first(0), beyond(Index(m_points.size()));
-    if (m_state.positions_are_exact()) {
-      std::vector<Position_2> positions(m_points.size());
-      Parts::for_each_element(m_points.size(),
-                              [&](std::size_t i) { positions[i] = approximation(m_points[i]); });
-      m_order.template sort<Parts>(positions, first, beyond);
-    } else
-      m_order.sort_by_comparisons(first, beyond, [this](Index i, Index j) {
-        return compare_xy(m_state.traits(), m_points[i], m_points[j]) == SMALLER;
-      });
-  }
-
-  // Adds a vertex for the coincident points in these places of the order.
-  template <class Predicate>
-  Index add_vertex(std::size_t first, std::size_t beyond, const Predicate& keeps_vertex)
-  {
-    std::size_t representative = first;
-    while (representative < beyond && !keeps_vertex(m_point_ids[m_order[representative]]))
-      ++representative;
-    if (representative == beyond)
-      representative = first;
-    const Point_id id = m_point_ids[m_order[representative]];
-    const Vertex_index vertex = m_ids.add_representative(id);
-    m_place_of_vertex.push_back(m_order[representative]);
-    for (std::size_t i = first; i < beyond; ++i)
-      if (i != representative)
-        m_ids.add_duplicate(m_point_ids[m_order[i]], id, m_points[m_order[i]]);
-    return vertex;
-  }
-
-  const State& m_state;
-  Spatial_order_2 m_order;
-  std::vector<Point> m_points; // the points to number
-  std::vector<Index> m_point_ids;
-  std::vector<Index> m_place_of_vertex; // index in m_points of its representative
-  Ids m_ids;
-};
-
 // Writes the whole topology at once: triangulates from scratch, restores, copies or exchanges it,
 // or takes over what CGAL's algorithms have made. Everything is new then, but for a copy.
 template <class State>
-class Topology_builder_2
+class Plane_builder_2
 {
-  using Topology = typename State::Topology;
-  using Positions = typename State::Positions;
+  using Writer = typename State::Writer;
+  using Positions = typename Writer::Positions;
   using Point = typename State::Point;
   using Triangulation = typename State::Triangulation;
   using Vertex_handle = typename State::Vertex_handle;
   using Face_handle = typename State::Face_handle;
-  using Storage = typename Topology::Storage;
+  using Storage = typename State::Storage;
   using Ids = Point_ids_2<Point>;
   using Parts = typename State::Parts;
   using Arrays = Point_arrays_2<Point>;
   using Stored_point = typename Arrays::Stored_point;
 
 public:
-  explicit Topology_builder_2(State& state)
+  explicit Plane_builder_2(State& state)
     : m_state(state)
-    , m_topology(state.m_topology)
-    , m_storage(state.m_topology.m_storage)
-    , m_arrays(state.m_topology.m_storage.m_arrays)
-    , m_positions(state.m_positions)
+    , m_writer(state)
+    , m_storage(m_writer.storage())
+    , m_arrays(m_writer.arrays())
+    , m_positions(m_writer.positions())
     , m_editing(state)
+    , m_staying(state)
     , m_vertex_order(state)
     , m_numbering(state)
     , m_triangulator(state)
@@ -217,43 +67,22 @@ public:
 
   void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
 
-  // Replaces everything by a fresh triangulation of these points with these ids, all of which are
-  // smaller than `number_of_ids`. Points that are present already keep their vertices.
-  void build(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids)
-  {
-    write_all_anew([&] {
-      m_numbering.number(std::move(ids), std::move(points), number_of_ids,
-                         [&](Point_id id) { return keeps_vertex(id, m_topology.m_ids); });
-      triangulate_numbered();
-    });
-  }
-
   // Triangulates the present points except those in `gone`, and the points that come.
   void build_with(const std::vector<Index>& gone, std::vector<Index> coming_ids,
                   std::vector<Point> coming_points)
   {
     try {
-      Index number_of_ids = m_topology.m_ids.number_of_ids();
-      for (const Point_id id : coming_ids)
-        number_of_ids = (std::max)(number_of_ids, id + 1);
-      std::vector<Index> ids = ids_without(gone);
-      std::vector<Point> points;
-      if (ids.empty()) { // as at a construction, where memory counts
-        ids = std::move(coming_ids);
-        points = std::move(coming_points);
-      } else {
-        points.reserve(ids.size() + coming_ids.size());
-        for (const Point_id id : ids)
-          points.push_back(m_state.point_of_id(id));
-        points.insert(points.end(), coming_points.begin(), coming_points.end());
-        ids.insert(ids.end(), coming_ids.begin(), coming_ids.end());
-      }
-      build(std::move(ids), std::move(points), number_of_ids);
+      auto all = m_staying.collect(gone, std::move(coming_ids), std::move(coming_points));
+      write_all_anew([&] {
+        m_numbering.number(std::move(all.ids), std::move(all.points), all.number_of_ids,
+                           [&](Point_id id) { return m_staying.keeps_vertex(id, m_state.ids()); });
+        triangulate_numbered();
+      });
     } catch (...) {
-      m_goes.clear();
+      m_staying.forget();
       throw;
     }
-    m_goes.clear();
+    m_staying.forget();
   }
 
   // Triangulates the points anew at their present positions. The vertices keep their numbers if
@@ -294,11 +123,11 @@ public:
   void copy(const State& other)
   {
     CGAL_precondition(m_state.number_of_vertices() == 0);
-    m_storage.copy(other.m_topology.m_storage);
+    m_storage.copy(other.storage());
     set_dimension(other.triangulation().dimension());
-    m_topology.m_ids = other.ids();
-    m_topology.m_changes = other.changes();
-    m_positions.copy(other.m_positions);
+    m_writer.ids() = other.ids();
+    m_writer.changes() = other.changes();
+    m_positions.copy(other.all_positions());
   }
 
   // Reserves the memory that exchange() needs.
@@ -314,13 +143,14 @@ public:
   {
     tell_of_faces_before();
     for_each_vertex([this](Vertex_index v) { m_editing.before_vertex_removal(v); });
+    const Writer others(other);
     const int dimension = m_state.triangulation().dimension();
     set_dimension(other.triangulation().dimension());
-    other.m_topology.m_triangulation.tds().set_dimension(dimension);
-    m_storage.exchange(other.m_topology.m_storage);
-    std::swap(m_topology.m_ids, other.m_topology.m_ids);
-    std::swap(m_topology.m_changes, other.m_topology.m_changes);
-    m_positions.exchange_all_but_points(other.m_positions);
+    others.set_dimension(dimension);
+    m_storage.exchange(others.storage());
+    std::swap(m_writer.ids(), others.ids());
+    std::swap(m_writer.changes(), others.changes());
+    m_positions.exchange_all_but_points(others.positions());
     for_each_vertex([this](Vertex_index v) { m_editing.after_vertex_creation(v); });
     tell_of_faces_after();
   }
@@ -334,10 +164,10 @@ public:
     bool all_arrived = false;
     write_all_anew([&] {
       Triangulation copy(m_state.traits());
-      Storage& storage = Topology::storage_of(copy);
+      Storage& storage = Indexed_storage_access_2::storage(copy.tds());
       storage.copy(m_storage);
-      storage.m_arrays.drop_edges();
-      storage.m_points = m_positions.m_other_points;
+      storage.writable_arrays().drop_edges();
+      storage.writable_points() = m_positions.previous_points();
       copy.tds().set_dimension(m_state.triangulation().dimension());
       all_arrived = relocate_one_by_one(copy, relocated);
       take_arrays(copy);
@@ -353,7 +183,7 @@ private:
   template <class Function>
   void write_all_anew(const Function& f)
   {
-    m_topology.m_changes.everything_is_new = true; // also if memory runs out on the way
+    m_writer.changes().everything_is_new = true; // also if memory runs out on the way
     tell_of_faces_before();
     try {
       f();
@@ -394,10 +224,10 @@ private:
   // Tells the visitor of the vertices that vanish when `next_ids` replace the present ids.
   void tell_of_going_vertices(const Ids& next_ids)
   {
-    const Ids& ids = m_topology.m_ids;
+    const Ids& ids = m_state.ids();
     for_each_vertex([&](Vertex_index v) {
       const Point_id id = ids.representative(v);
-      if (!next_ids.is_taken(id) || goes(id))
+      if (!next_ids.is_taken(id) || m_staying.goes(id))
         m_editing.before_vertex_removal(v);
       else if (!next_ids.is_representative(id)) {
         const Index stays = next_ids.representative(next_ids.vertex(id)); // keeps its vertex, too
@@ -410,7 +240,7 @@ private:
   void tell_of_new_vertices(const Ids& former_ids)
   {
     for_each_vertex([&](Vertex_index v) {
-      if (!keeps_vertex(m_topology.m_ids.representative(v), former_ids))
+      if (!m_staying.keeps_vertex(m_state.ids().representative(v), former_ids))
         m_editing.after_vertex_creation(v);
     });
   }
@@ -442,48 +272,27 @@ private:
   // same numbers. If this throws, nothing has changed.
   void take_arrays(Triangulation& other)
   {
-    Storage& storage = Topology::storage_of(other);
+    Storage& storage = Indexed_storage_access_2::storage(other.tds());
     storage.collect_garbage(); // at most the last vertex, which CGAL has used for a time
-    CGAL_assertion(storage.m_arrays.number_of_vertices() == m_state.positions().size());
+    Writable_halfedge_arrays_2& arrays = storage.writable_arrays();
+    CGAL_assertion(arrays.number_of_vertices() == m_state.positions().size());
     if (other.dimension() == 2)
-      storage.m_arrays.template number_from_neighbors<Parts>();
-    m_storage.reserve_data(0, storage.m_arrays.faces_with_holes());
-    std::swap(m_arrays, storage.m_arrays); // nothing throws from here on
+      arrays.template number_from_neighbors<Parts>();
+    m_storage.reserve_data(0, arrays.faces_with_holes());
+    std::swap(m_arrays, arrays); // nothing throws from here on
     set_dimension(other.dimension());
     finish_faces();
   }
 
   // BUILDING ------------------------------------------------------------------------------------
 
-  void set_dimension(int dimension) { m_topology.m_triangulation.tds().set_dimension(dimension); }
-
-  // Returns the ids of all points but those in `gone`, representatives first. Sets m_goes.
-  std::vector<Index> ids_without(const std::vector<Index>& gone)
-  {
-    std::vector<Index> ids = m_topology.m_ids.representatives_and_duplicates();
-    if (gone.empty())
-      return ids;
-    m_goes.assign(m_topology.m_ids.number_of_ids(), false);
-    for (const Point_id id : gone)
-      m_goes[id] = true;
-    ids.erase(std::remove_if(ids.begin(), ids.end(), [this](Point_id id) { return goes(id); }),
-              ids.end());
-    return ids;
-  }
-
-  // Whether the point with this id is removed. A new point may get its id, but not its vertex.
-  bool goes(Point_id id) const { return id < m_goes.size() && m_goes[id]; }
-
-  bool keeps_vertex(Point_id id, const Ids& ids) const
-  {
-    return ids.is_taken(id) && ids.is_representative(id) && !goes(id);
-  }
+  void set_dimension(int dimension) { m_writer.set_dimension(dimension); }
 
   // Sorts the vertices. False, perhaps without sorting, if the set of vertices may change, because
   // vertices coincide or there are duplicates, which may have left.
   bool sort_vertices()
   {
-    if (!m_topology.m_ids.duplicates().empty())
+    if (!m_state.ids().duplicates().empty())
       return false;
     const boost::counting_iterator<Index> first(1), beyond(m_state.number_of_vertices() + Index(1));
     m_vertex_order.sort(first, beyond);
@@ -507,12 +316,12 @@ private:
         ids.number_of_representatives(),
         [this](Vertex_index v) -> const Point& { return m_numbering.point(v); }, points, positions);
     const std::vector<Index> before = numbers_before();
-    auto data = m_storage.m_vertex_data.prepare(before);
+    auto data = m_storage.vertex_data().prepare(before);
     m_numbering.release_points();
     tell_of_going_vertices(ids);
     const auto exchange = [&] {
       m_positions.exchange(points, positions);
-      std::swap(m_topology.m_ids, ids);
+      std::swap(m_writer.ids(), ids);
     };
     exchange();
     try {
@@ -523,10 +332,10 @@ private:
       throw;
     }
     m_positions.forget_previous();
-    if (m_storage.m_vertex_data.empty())
-      m_storage.m_vertex_data.resize(m_positions.positions().size());
+    if (m_storage.vertex_data().empty())
+      m_storage.vertex_data().resize(m_positions.positions().size());
     else
-      m_storage.m_vertex_data.renumber(data, before);
+      m_storage.vertex_data().renumber(data, before);
     tell_of_new_vertices(ids);
     m_numbering.release();
   }
@@ -536,14 +345,14 @@ private:
   std::vector<Index> numbers_before()
   {
     std::vector<Index> before;
-    if (m_storage.m_vertex_data.empty())
+    if (m_storage.vertex_data().empty())
       return before;
-    const Ids &ids = m_numbering.ids(), &present_ids = m_topology.m_ids;
+    const Ids &ids = m_numbering.ids(), &present_ids = m_state.ids();
     before.push_back(infinite_index);
     for (Vertex_index v = 1; v <= ids.number_of_representatives(); ++v) {
       const Point_id id = ids.representative(v);
-      before.push_back(keeps_vertex(id, present_ids) ? present_ids.vertex(id)
-                                                     : Vertex_index(null_index));
+      before.push_back(m_staying.keeps_vertex(id, present_ids) ? present_ids.vertex(id)
+                                                               : Vertex_index(null_index));
     }
     return before;
   }
@@ -585,8 +394,8 @@ private:
   // Resizes the user data at faces. Their values belonged to other faces before.
   void finish_faces()
   {
-    m_storage.m_face_data.resize(m_arrays.faces_with_holes());
-    m_storage.m_is_written_by_handles = false;
+    m_storage.face_data().resize(m_arrays.faces_with_holes());
+    m_storage.note_written_by_editor();
   }
 
   // Triangulates vertices that do not span the plane, by CGAL's insertion.
@@ -604,7 +413,7 @@ private:
   void restore_vertices(Checkpoint_arrays_2<Point>& kept)
   {
     std::vector<Stored_point> points(kept.points.size() + 1);
-    points.front() = m_positions.m_points.front();
+    points.front() = m_positions.stored(infinite_index);
     for (std::size_t i = 0; i < kept.points.size(); ++i)
       points[i + 1] = Arrays::stored(kept.positions[i], kept.points[i]);
     std::vector<Position_2> positions;
@@ -613,8 +422,8 @@ private:
       positions.insert(positions.end(), kept.positions.begin(), kept.positions.end());
     }
     m_positions.exchange(points, positions);
-    m_positions.m_are_exact = kept.positions_are_exact;
-    std::swap(m_topology.m_ids, kept.ids);
+    m_positions.set_exactness(kept.positions_are_exact);
+    std::swap(m_writer.ids(), kept.ids);
   }
 
   // Restores the numbers of edges, and the corners.
@@ -629,17 +438,17 @@ private:
   }
 
   const State& m_state;
-  Topology& m_topology;
+  const Writer m_writer;
   Storage& m_storage;
-  Halfedge_arrays_2& m_arrays;
+  Writable_halfedge_arrays_2& m_arrays;
   Positions& m_positions;
   Plane_editing_2<State> m_editing; // tells the visitor
+  Staying_points_2<State> m_staying;
   Vertex_order_2<State> m_vertex_order;
   Point_numbering_2<State> m_numbering;
-  std::vector<bool> m_goes; // by ids: the points that build_with() leaves out
   Static_triangulator_2<State> m_triangulator;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_TOPOLOGY_BUILDER_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_PLANE_BUILDER_2_H

@@ -1,30 +1,29 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_TRIANGULATION_STATE_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_TRIANGULATION_STATE_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_SPACE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_SPACE_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Parallel_parts.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_slacks_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_visitor_calls_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_cover_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Positions_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Change_log_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Writable_positions_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Writable_halfedge_arrays_2.h>
 
 #include <CGAL/enum.h>
 
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -51,40 +50,41 @@ struct Periodic_site_2
 };
 
 // The exact predicates on sites.
-template <class State>
+template <class Space>
 class Site_predicates_2
 {
 public:
   using Site = Periodic_site_2;
 
-  explicit Site_predicates_2(const State& state)
-    : m_state(state)
+  explicit Site_predicates_2(const Space& space)
+    : m_space(space)
   {
   }
 
   Orientation orientation(const Site& a, const Site& b, const Site& c) const
   {
-    return m_state.torus().orientation(m_state.image(a), m_state.image(b), m_state.image(c));
+    return m_space.torus().orientation(m_space.image(a), m_space.image(b), m_space.image(c));
   }
 
   // The side of d of the circle through a, b and c, which must be counterclockwise.
   Oriented_side side_of_circle(const Site& a, const Site& b, const Site& c, const Site& d) const
   {
-    return m_state.torus().side_of_circle(m_state.image(a), m_state.image(b), m_state.image(c),
-                                          m_state.image(d));
+    return m_space.torus().side_of_circle(m_space.image(a), m_space.image(b), m_space.image(c),
+                                          m_space.image(d));
   }
 
   bool coincide(const Site& a, const Site& b) const
   {
-    return m_state.torus().coincide(m_state.image(a), m_state.image(b));
+    return m_space.torus().coincide(m_space.image(a), m_space.image(b));
   }
 
 private:
-  const State& m_state;
+  const Space& m_space;
 };
 
-// A triangulation of a flat torus: its faces in one sheet, however few its points are. Reading is
-// public; only the friends can write.
+// A flat torus, or a slab: the topology of a triangulation of it, the positions of its vertices,
+// and what the kernel asks about them. The faces are those in one sheet, however few the points
+// are.
 //
 // Each corner of a face, a half-edge with its apex, has a *shift*. Translated by the shifts of a
 // face, its three vertices are the corners of one triangle in the plane. Each face has a chart of
@@ -95,21 +95,23 @@ private:
 // vertices. There is no infinite vertex. If the four corners of an edge have the same shift, the
 // arrays show the edge as in the plane, and the pass over the edges can test it there. Otherwise
 // the arrays show only infinite vertices, and the pass of the plane never proves the edge.
-template <class Point_, class VisitorCalls, class ConcurrencyTag>
-class Periodic_triangulation_state_2
+template <class Point_>
+class Torus_space_2
 {
 public:
   using Point = Point_;
-  using Visitor_calls = VisitorCalls;
   using Positions = Positions_2<Point>;
-  using Space = Plane_2; // of the edges without shifts
-  using Edge_test = Periodic_edge_test_2<Periodic_triangulation_state_2>;
-  using Editing = Torus_editing_2<Periodic_triangulation_state_2>;
-  using Builder = Torus_builder_2<Periodic_triangulation_state_2>;
-  using Slacks = Periodic_slacks_2;
-  using Ids = Point_ids_2<Point>;
+  using Argument = Periodic_cell_2; // from what an empty space is made
 
-  using Parts = Parallel_parts<ConcurrencyTag>; // how passes are divided
+  using Predicates = Site_predicates_2<Torus_space_2>;
+  using Edge_test = Periodic_edge_test_2<Torus_space_2>;
+  using Slacks = Periodic_slacks_2;
+  template <class State>
+  using Editing = Torus_editing_2<State>;
+  template <class State>
+  using Builder = Torus_builder_2<State>;
+  template <bool is_heard>
+  using Visitor_calls = Periodic_visitor_calls_2<is_heard>;
 
   static constexpr bool is_periodic = true;
 
@@ -127,19 +129,28 @@ public:
     return m_torus.cell().is_slab() ? 7 * vertices : vertices * 4 / 3;
   }
 
-  explicit Periodic_triangulation_state_2(const Periodic_cell_2& cell)
+  // A star may have many images of few vertices, as across the gap of a slab, where flips may be
+  // impossible.
+  static constexpr std::size_t max_degree_to_divide = std::size_t(-1);
+
+  static constexpr bool coordinates_are_doubles = true;
+  static constexpr bool predicates_are_exact = true;
+
+  explicit Torus_space_2(const Periodic_cell_2& cell)
     : m_torus(cell)
     , m_points(1)
     , m_positions(m_points)
   {
-    m_ids.reset(0);
   }
+  Torus_space_2(const Torus_space_2&) = delete;
+  Torus_space_2& operator=(const Torus_space_2&) = delete;
 
+  const Argument& argument() const { return m_torus.cell(); }
   const Torus_2& torus() const { return m_torus; }
   const Halfedge_arrays_2& arrays() const { return m_arrays; }
+  const std::vector<Periodic_shift_2>& shifts() const { return m_shifts; }
+  const Writable_positions_2<Point>& all_positions() const { return m_positions; }
   const std::vector<Position_2>& positions() const { return m_positions.positions(); }
-  const Ids& ids() const { return m_ids; }
-  const Change_log_2& changes() const { return m_changes; }
   Index number_of_vertices() const { return Index(m_points.size()) - 1; }
   // There are faces as soon as there is a vertex.
   bool spans_plane() const { return number_of_vertices() > 0; }
@@ -152,11 +163,6 @@ public:
     return {positions[m_arrays.apex(corner)], m_shifts[corner]};
   }
 
-  // Returns the id of the point at a corner: of the representative, if points coincide.
-  Point_id id_at(Halfedge_index corner) const
-  {
-    return m_ids.representative(m_arrays.apex(corner));
-  }
   // Returns the shift of corner `other` as seen from `corner`, in the same face.
   Periodic_shift_2 shift_between(Halfedge_index corner, Index other) const
   {
@@ -206,8 +212,6 @@ public:
 
   using Site = Periodic_site_2;
   using Chart = Periodic_shift_2;
-  using Predicates = Site_predicates_2<Periodic_triangulation_state_2>;
-  static constexpr bool predicates_are_exact = true;
 
   static Vertex_index vertex_of(const Site& site) { return site.vertex; }
   static Site site_of(Vertex_index v) { return {v, no_shift}; }
@@ -319,7 +323,6 @@ public:
 
   static constexpr bool positions_are_exact() { return true; }
   bool have_points_moved() const { return m_positions.have_moved(); }
-  void prefetch_positions(Vertex_index v) const { m_positions.prefetch(v); }
   decltype(auto) point(Vertex_index v) const { return m_positions.point(v); }
   // Returns the position one frame ago, or before the vertex moved alone in this call: its image
   // that is nearest to the present position.
@@ -379,17 +382,14 @@ public:
     return is_at_infinity(e) && Edge_test(*this).state(e) != Edge_state_2::DELAUNAY;
   }
   // Whether the faces cover the torus once. Takes exact arithmetic at all faces.
-  bool covers_space() const
-  {
-    return Torus_cover_2<Periodic_triangulation_state_2>(*this).is_single();
-  }
+  bool covers_space() const { return Torus_cover_2<Torus_space_2>(*this).is_single(); }
 
   bool corners_are_exact(Edge_index e) const { return !is_shifted(e); }
   Edge_corners_2 corners(Edge_index e) const { return corners(e, positions()); }
   Edge_corners_2 corners(Edge_index e, const std::vector<Position_2>& positions) const
   {
     if (!is_shifted(e))
-      return Space::corners(m_arrays.edge(e), positions);
+      return Plane_2::corners(m_arrays.edge(e), positions);
     if (is_at_infinity(e))
       return {nan_point(), nan_point(), nan_point(), nan_point()};
     return m_torus.rounded_corners(corners_at(m_arrays.halfedge(e), positions)).first;
@@ -412,10 +412,56 @@ public:
             rounded_vector(image(h), image(k))};
   }
 
-  Point point_of_id(Point_id id) const
+  // WRITING -------------------------------------------------------------------------------------
+
+  // The parts of the space that can be written.
+  class Writer
   {
-    return m_ids.is_representative(id) ? point(m_ids.vertex(id)) : m_ids.duplicate(id).point;
-  }
+  public:
+    using Positions = Writable_positions_2<Point>;
+
+    explicit Writer(Torus_space_2& space)
+      : m_space(space)
+    {
+    }
+
+    Writable_halfedge_arrays_2& arrays() const { return m_space.m_arrays; }
+    Positions& positions() const { return m_space.m_positions; }
+    std::vector<Periodic_shift_2>& shifts() const { return m_space.m_shifts; }
+
+    void set_torus(const Torus_2& torus) const { m_space.m_torus = torus; }
+    // Replaces the cell; `multiples` are the old cell's vectors in multiples of the new ones.
+    void change_cell(const Periodic_cell_2& cell,
+                     const std::array<Periodic_shift_2, 2>& multiples) const
+    {
+      ++m_space.m_cell_changes;
+      m_space.m_deformation.emplace(Deformation{m_space.m_torus, multiples});
+      m_space.m_torus = Torus_2(cell);
+    }
+    void forget_deformation() const { m_space.m_deformation.reset(); }
+
+    // Copy or exchange everything that is kept between calls, but for the count of cells.
+    void copy(const Torus_space_2& other) const
+    {
+      m_space.m_torus = other.m_torus;
+      m_space.m_arrays = other.m_arrays;
+      m_space.m_shifts = other.m_shifts;
+      m_space.m_points = other.m_points;
+      m_space.m_positions.copy(other.m_positions);
+    }
+    void exchange(Torus_space_2& other) const
+    {
+      std::swap(m_space.m_torus, other.m_torus);
+      std::swap(m_space.m_arrays, other.m_arrays);
+      m_space.m_shifts.swap(other.m_shifts);
+      m_space.m_points.swap(other.m_points);
+      m_space.m_positions.exchange_all_but_points(other.m_positions);
+    }
+    std::size_t& cell_changes() const { return m_space.m_cell_changes; }
+
+  private:
+    Torus_space_2& m_space;
+  };
 
 private:
   // How the last call has changed the cell: the cell before, whose vectors have these multiples of
@@ -442,25 +488,15 @@ private:
                                                     : m_torus.vector(from, to, ignored);
   }
 
-  template <class State>
-  friend class Periodic_input_2;
-  template <class State>
-  friend class Torus_editing_2;
-  template <class State>
-  friend class Torus_builder_2;
-
   Torus_2 m_torus;
-  Halfedge_arrays_2 m_arrays;
+  Writable_halfedge_arrays_2 m_arrays;
   std::vector<Periodic_shift_2> m_shifts;                             // indexed by half-edges
   std::vector<typename Point_arrays_2<Point>::Stored_point> m_points; // indexed by vertices
-  Positions m_positions;
-  Change_log_2 m_changes;
+  Writable_positions_2<Point> m_positions;
   std::size_t m_cell_changes = 0;
   std::optional<Deformation> m_deformation; // until the call ends
-  Ids m_ids;
-  Visitor_calls m_visitor_calls;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_PERIODIC_TRIANGULATION_STATE_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_PERIODIC_TORUS_SPACE_2_H

@@ -1,15 +1,14 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_STATE_CHECK_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_STATE_CHECK_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_SPACE_CHECK_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_SPACE_CHECK_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Change_log_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 
@@ -29,41 +28,44 @@ struct Any_function
   void operator()(Arguments&&...) const;
 };
 
-// Whether `use` can be called with a state and with these values: whether what it would return is
+// Whether `use` can be called with a space and with these values: whether what it would return is
 // well formed.
-template <class State, class Use>
+template <class Space, class Use>
 constexpr bool answers(const Use&)
 {
-  return std::is_invocable_v<Use, const State&, Vertex_index, Halfedge_index, Edge_index,
-                             Face_index, const typename State::Site&, const typename State::Chart&,
+  return std::is_invocable_v<Use, const Space&, Vertex_index, Halfedge_index, Edge_index,
+                             Face_index, const typename Space::Site&, const typename Space::Chart&,
                              const Position_2&, std::vector<Index>&, const Any_function&>;
 }
 
-// Whether expressions with a state and these values are well formed.
+// Whether expressions with a space and these values are well formed.
 #define CGAL_DYNAMIC_DELAUNAY_ANSWERS(...)                                                         \
-  answers<State>([]([[maybe_unused]] const auto& s, [[maybe_unused]] const auto& v,                \
+  answers<Space>([]([[maybe_unused]] const auto& s, [[maybe_unused]] const auto& v,                \
                     [[maybe_unused]] const auto& h, [[maybe_unused]] const auto& e,                \
                     [[maybe_unused]] const auto& f, [[maybe_unused]] const auto& site,             \
                     [[maybe_unused]] const auto& chart, [[maybe_unused]] const auto& place,        \
                     [[maybe_unused]] auto& edges,                                                  \
                     [[maybe_unused]] const auto& function) -> decltype(__VA_ARGS__, void()) {})
 
-// What a space has to say. The kernel is written once, over a state: what is different in a space
-// it asks the state, by the types and functions below. The compiler names what a state lacks.
-// Besides, `Editing` writes what only one space keeps beside the arrays, and tells visitors;
-// `Builder` has rebuild(), build_with(), copy() and exchange(). Calls and files have an input class
-// and a `Checkpoint_space_2` of their own.
+// What a space has to say. Kernel and state are written once, over a space: what is different in it
+// they ask by the types and functions below. The compiler names what a space lacks.
+//
+// Besides, a space is made from an `Argument`, which argument() returns. Its `Writer` writes
+// arrays() and positions(), and what only this space keeps. `Editing<State>` keeps that in step
+// with the arrays, and tells visitors by `Visitor_calls`; `Builder<State>` has rebuild(),
+// build_with(), copy() and exchange(). Calls and files have an input class and a
+// `Checkpoint_space_2` of their own.
 //
 // A *site* is a vertex as seen from a face, on a torus an image. A *chart* says how the face is
 // seen from there. A plane with circles of its own needs less: traits with their predicates, and
 // `has_euclidean_circles` (`anisotropic_plane.h` of the tests, 50 lines).
-template <class State>
-constexpr bool is_state()
+template <class Space>
+constexpr bool is_space()
 {
-  using Site = typename State::Site;
-  using Chart = typename State::Chart;
-  using Predicates = typename State::Predicates;
-  using Edge_test = typename State::Edge_test;
+  using Site = typename Space::Site;
+  using Chart = typename Space::Chart;
+  using Predicates = typename Space::Predicates;
+  using Edge_test = typename Space::Edge_test;
 
   // ARRAYS AND POINTS ----------------------------------------------------------------------------
 
@@ -73,11 +75,7 @@ constexpr bool is_state()
                                               as<bool>(s.positions_are_exact())),
                 "positions() of the vertices are rounded; positions_are_exact(), whether signs "
                 "may be concluded from them");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<const Change_log_2&>(s.changes())),
-                "changes() are those since the classifier was last told");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<const typename State::Ids&>(s.ids())),
-                "ids() know the vertex of each point");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<const typename State::Point&>(s.point(v)),
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<const typename Space::Point&>(s.point(v)),
                                               as<bool>(s.is_at(s.point(v), v))),
                 "point(v) is the user's; is_at(point, v) compares exactly");
 
@@ -155,21 +153,24 @@ constexpr bool is_state()
                 "filter, append_unproved(first, beyond, edges) the pass over many");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<bool>(s.covers_space())),
                 "covers_space() is what must be true of all faces together");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<bool>(State::Slacks::has_hull)),
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<bool>(Space::Slacks::has_hull)),
                 "Slacks are the bounds by which edges are skipped");
 
   // WHAT TOOLS MAY DO ----------------------------------------------------------------------------
 
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<bool>(State::has_hull),
-                                              as<bool>(State::can_splice),
-                                              as<bool>(State::can_locate_anywhere)),
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<bool>(Space::has_hull),
+                                              as<bool>(Space::can_splice),
+                                              as<bool>(Space::can_locate_anywhere)),
                 "has_hull, can_splice (a region can be triangulated separately) and "
                 "can_locate_anywhere (not only where all is Delaunay) say which tools there are");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(
-                    as<bool>(s.spans_plane()), as<std::size_t>(State::min_vertices),
+                    as<bool>(s.spans_plane()), as<std::size_t>(Space::min_vertices),
                     as<std::size_t>(s.rebuilt_vertices()), as<Index>(s.number_of_vertices())),
                 "spans_plane(), min_vertices and rebuilt_vertices() say when a rebuild is "
                 "necessary, and what it costs");
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<std::size_t>(Space::max_degree_to_divide)),
+                "max_degree_to_divide bounds the neighbors of a vertex whose star is triangulated "
+                "at once");
 
   return true;
 }
@@ -178,4 +179,4 @@ constexpr bool is_state()
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_UPDATE_STATE_CHECK_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_SPACE_CHECK_2_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_INDEXED_STORAGE_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_INDEXED_STORAGE_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CGAL_INDEXED_STORAGE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CGAL_INDEXED_STORAGE_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Writable_halfedge_arrays_2.h>
 #include <CGAL/Surface_mesh/Properties.h>
 
 #include <atomic>
@@ -432,17 +433,15 @@ public:
     m_erased_vertices = m_erased_faces = 0;
   }
 
-private:
-  template <class Traits, class Tds, class VisitorCalls>
-  friend class Topology_2;
-  template <class State>
-  friend class Topology_builder_2;
-  template <class State>
-  friend class Plane_editing_2;
-
   // WHERE THE EDITOR AND THE BUILDER WRITE --------------------------------------------------------
-  // They write points and arrays themselves, and call these functions and those of m_vertex_data
-  // and m_face_data so that user data follow.
+  // They write points and arrays themselves, and call these functions and those of the data of
+  // users so that these follow.
+
+  Writable_halfedge_arrays_2& writable_arrays() { return m_arrays; }
+  Points& writable_points() { return m_points; }
+  User_data_2<Vertex_handle, Vertex_info>& vertex_data() { return m_vertex_data; }
+  User_data_2<Face_handle, Face_info>& face_data() { return m_face_data; }
+  void note_written_by_editor() { m_is_written_by_handles = false; }
 
   void reserve_data(std::size_t vertices, std::size_t faces)
   {
@@ -477,6 +476,15 @@ private:
     resize_data(m_points.size(), m_arrays.faces_with_holes());
     m_is_written_by_handles = other.m_is_written_by_handles;
   }
+
+private:
+  // CGAL's algorithms write single members of the arrays.
+  struct Arrays : Writable_halfedge_arrays_2
+  {
+    using Writable_halfedge_arrays_2::m_corner;
+    using Writable_halfedge_arrays_2::m_halfedges;
+    using Writable_halfedge_arrays_2::Writable_halfedge_arrays_2;
+  };
 
   static constexpr Index erased_index = null_index - 1;
 
@@ -525,7 +533,7 @@ private:
     return ++last;
   }
 
-  Halfedge_arrays_2 m_arrays;
+  Arrays m_arrays;
   Points m_points;
   User_data_2<Vertex_handle, Vertex_info> m_vertex_data;
   User_data_2<Face_handle, Face_info> m_face_data;
@@ -535,6 +543,18 @@ private:
   const std::uint32_t m_serial = next_serial();
 };
 
+// The way to the storage of a data structure that is not constant, as only the owner of a
+// triangulation has it.
+class Indexed_storage_access_2
+{
+public:
+  template <class Tds>
+  static typename Tds::Storage& storage(Tds& tds)
+  {
+    return *tds.m_storage;
+  }
+};
+
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_INDEXED_STORAGE_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CGAL_INDEXED_STORAGE_2_H

@@ -1,15 +1,15 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_INDEXED_ELEMENTS_2_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_INDEXED_ELEMENTS_2_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CGAL_INDEXED_ELEMENTS_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CGAL_INDEXED_ELEMENTS_2_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
 #include <CGAL/Compact_container.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Indexed_storage_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cgal/Indexed_storage_2.h>
 #include <CGAL/Handle_hash_function.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_utils_2.h>
@@ -619,4 +619,4 @@ struct hash<CGAL::Dynamic_Delaunay_triangulations_2::internal::Indexed_handle_2<
 
 } // namespace std
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_TOPOLOGY_INDEXED_ELEMENTS_2_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_CGAL_INDEXED_ELEMENTS_2_H

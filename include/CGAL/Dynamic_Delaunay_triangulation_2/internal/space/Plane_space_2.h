@@ -1,0 +1,271 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_PLANE_SPACE_2_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_PLANE_SPACE_2_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cgal/Indexed_storage_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cgal/Visitor_calls_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Edge_kinds_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_slack_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Writable_positions_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+template <class State>
+class Plane_builder_2;
+template <class State>
+class Plane_editing_2;
+
+// The open plane: CGAL's triangulation, whose data structure is the arrays themselves, the
+// positions of its vertices, and what the kernel asks about them. Vertex 0 is at infinity.
+template <class Traits_, class Tds_>
+class Plane_space_2
+{
+public:
+  using Traits = Traits_;
+  using Tds = Tds_;
+  using Triangulation = Delaunay_triangulation_2<Traits, Tds>;
+  using Vertex_handle = typename Triangulation::Vertex_handle;
+  using Face_handle = typename Triangulation::Face_handle;
+  using Point = typename Triangulation::Point;
+  using Storage =
+      std::remove_reference_t<decltype(Indexed_storage_access_2::storage(std::declval<Tds&>()))>;
+  using Positions = Positions_2<Point>;
+  using Argument = Traits; // from what an empty space is made
+
+  using Predicates = Vertex_predicates_2<Plane_space_2>;
+  using Edge_test = Edge_test_2<Plane_space_2>;
+  using Slacks = Plane_slacks_2;
+  template <class State>
+  using Editing = Plane_editing_2<State>;
+  template <class State>
+  using Builder = Plane_builder_2<State>;
+  template <bool is_heard>
+  using Visitor_calls = Visitor_calls_2<Triangulation, is_heard>;
+
+  static constexpr bool is_periodic = false;
+
+  // The properties of the space on which repairs depend.
+  static constexpr bool has_hull = true;
+  static constexpr bool can_splice = true; // a region can be triangulated separately
+  static constexpr bool can_locate_anywhere = true;
+
+  static constexpr bool coordinates_are_doubles = has_double_coordinates<Point>;
+  static constexpr bool predicates_are_exact = !Are_known_to_be_inexact_2<Traits>::value;
+
+  explicit Plane_space_2(const Traits& traits)
+    : m_triangulation(traits)
+    , m_storage(Indexed_storage_access_2::storage(m_triangulation.tds()))
+    , m_positions(m_storage.writable_points())
+  {
+    m_storage.note_written_by_editor();
+  }
+  Plane_space_2(const Plane_space_2&) = delete;
+  Plane_space_2& operator=(const Plane_space_2&) = delete;
+
+  const Traits& traits() const { return m_triangulation.geom_traits(); }
+  const Argument& argument() const { return traits(); }
+
+  // TOPOLOGY ------------------------------------------------------------------------------------
+
+  const Triangulation& triangulation() const { return m_triangulation; }
+  const Storage& storage() const { return m_storage; }
+  const Halfedge_arrays_2& arrays() const { return m_storage.arrays(); }
+  // Whether the user has changed anything through handles.
+  bool is_written_by_handles() const { return m_storage.is_written_by_handles(); }
+  Vertex_handle vertex_handle(Vertex_index v) const { return Vertex_handle(&m_storage, v); }
+  Face_handle face_handle(Face_index f) const { return Face_handle(&m_storage, f); }
+
+  auto& vertex_properties() { return m_storage.vertex_properties(); }
+  auto& face_properties() { return m_storage.face_properties(); }
+
+  // The number of finite vertices.
+  Index number_of_vertices() const { return Index(positions().size()) - 1; }
+
+  // If false, there are no edges and faces, and every frame is a rebuild.
+  bool spans_plane() const { return m_triangulation.dimension() == 2; }
+
+  const Edge_2& edge(Edge_index e) const { return arrays().edge(e); }
+  std::array<Index, 3> face(Face_index f) const { return arrays().face(f); }
+  // Whether half-edge h of edge e goes from the edge's source to the edge's target.
+  bool is_along(Edge_index e, Halfedge_index h) const
+  {
+    return arrays().source(h) == edge(e).source;
+  }
+  bool is_infinite_face(Face_index f) const
+  {
+    const auto [a, b, c] = arrays().face(f);
+    return a == infinite_index || b == infinite_index || c == infinite_index;
+  }
+  // Whether the face of h is finite, and the one beyond h is not.
+  bool is_hull_edge(Halfedge_index h) const
+  {
+    return arrays().apex(arrays().twin(h)) == infinite_index;
+  }
+  static bool is_shown_right(Index) { return true; }
+  bool is_at_infinity(Edge_index e) const { return internal::is_at_infinity(edge(e)); }
+  bool breaks_hull(Edge_index e) const { return internal::breaks_hull(edge(e), positions()); }
+  static bool covers_space() { return true; } // there is nothing beside the hull to leave open
+
+  // Calls f(w) for every finite neighbor w of the finite vertex v, counterclockwise. Where the
+  // points do not span the plane there are no flat arrays, and CGAL's data structure has the
+  // neighbors.
+  template <class Function>
+  void for_each_finite_neighbor(Vertex_index v, const Function& f) const
+  {
+    const auto call_if_finite = [&](Vertex_index w) {
+      if (w != infinite_index)
+        f(w);
+    };
+    if (!spans_plane())
+      for_each_neighbor_on_line(v, call_if_finite);
+    else if (!arrays().is_outside(v))
+      arrays().for_each_neighbor(v, call_if_finite);
+  }
+
+  static constexpr std::size_t number_of_cell_changes() { return 0; }
+
+  // Fewer vertices than these are triangulated from scratch.
+  static constexpr std::size_t min_vertices = 3;
+  // The number of vertices in the plane that cost as much to triangulate from scratch.
+  std::size_t rebuilt_vertices() const { return number_of_vertices(); }
+  // A vertex with more neighbors is taken out by flips, which then take less time.
+  static constexpr std::size_t max_degree_to_divide = 24;
+
+  // POSITIONS -----------------------------------------------------------------------------------
+
+  const Writable_positions_2<Point>& all_positions() const { return m_positions; }
+  const std::vector<Position_2>& positions() const { return m_positions.positions(); }
+  decltype(auto) point(Vertex_index v) const { return m_positions.point(v); }
+  bool have_points_moved() const { return m_positions.have_moved(); }
+  // Whether signs may be concluded from positions.
+  bool positions_are_exact() const
+  {
+    return Has_euclidean_circles_2<Traits>::value && m_positions.are_exact();
+  }
+  bool are_coordinates_rounded() const { return !m_positions.are_exact(); }
+
+  // The position of a vertex one frame ago, or before it moved alone in this call.
+  Position_2 previous_position(Vertex_index v) const { return m_positions.previous_position(v); }
+  // The position where the vertex rests: the previous one.
+  Position_2 rest_position(Vertex_index v) const { return previous_position(v); }
+
+  // Whether a point is where vertex v is.
+  bool is_at(const Point& p, Vertex_index v) const { return coincide(traits(), p, point(v)); }
+
+  Position_2 edge_vector(Edge_index e) const
+  {
+    return positions()[edge(e).target] - positions()[edge(e).source];
+  }
+  std::array<Position_2, 3> face_corners(Face_index f) const
+  {
+    const auto [a, b, c] = arrays().face(f);
+    return {positions()[a], positions()[b], positions()[c]};
+  }
+  bool corners_are_exact(Index) const { return positions_are_exact(); }
+  // The corners of an edge, as seen from the edge.
+  Edge_corners_2 corners(Edge_index e) const { return corners(e, positions()); }
+  // The corners of an edge if the vertices had other positions.
+  Edge_corners_2 corners(Edge_index e, const std::vector<Position_2>& others) const
+  {
+    return Plane_2::corners(arrays().edge(e), others);
+  }
+
+  double rounded_squared_distance(Vertex_index v, Vertex_index w) const
+  {
+    return rounded_squared_distance(positions()[v], positions()[w]);
+  }
+  static double rounded_squared_distance(const Position_2& p, const Position_2& q)
+  {
+    return squared_distance(p, q);
+  }
+  // The position by which p is sorted in a spatial order.
+  static const Position_2& place_in_order(const Position_2& p) { return p; }
+
+  // SITES AND CHARTS ------------------------------------------------------------------------------
+  // A site is a vertex as seen in a chart, which says how a face is seen. In the plane all charts
+  // are alike.
+
+  using Site = Index;
+  struct Chart
+  {
+  };
+
+  static Vertex_index vertex_of(Site site) { return site; }
+  static Site site_of(Vertex_index v) { return v; }
+  // The apex of half-edge h, as seen in a chart of the half-edge's face.
+  Site site_in(Halfedge_index h, Chart) const { return arrays().apex(h); }
+  // The chart of the face of h as seen from the apex of h, and the chart of the face beyond h.
+  static Chart chart_at(Index) { return {}; }
+  static Chart chart_beyond(Index, Chart) { return {}; }
+  static Chart chart_seen_from(Index, Index) { return {}; }
+  const Position_2& rounded_position(Site site) const { return positions()[site]; }
+  // The position of v one frame ago, as seen from where the present position of v is `now`.
+  Position_2 previous_position_at(Vertex_index v, const Position_2&) const
+  {
+    return previous_position(v);
+  }
+  bool are_neighbors(Site a, Site b) const { return arrays().are_neighbors(a, b); }
+
+  // WRITING -------------------------------------------------------------------------------------
+
+  // The parts of the space that can be written.
+  class Writer
+  {
+  public:
+    using Positions = Writable_positions_2<Point>;
+
+    explicit Writer(Plane_space_2& space)
+      : m_space(space)
+    {
+    }
+
+    Writable_halfedge_arrays_2& arrays() const { return storage().writable_arrays(); }
+    Storage& storage() const { return m_space.m_storage; }
+    Positions& positions() const { return m_space.m_positions; }
+    void set_dimension(int dimension) const
+    {
+      m_space.m_triangulation.tds().set_dimension(dimension);
+    }
+
+  private:
+    Plane_space_2& m_space;
+  };
+
+private:
+  template <class Function>
+  void for_each_neighbor_on_line(Vertex_index v, const Function& f) const
+  {
+    if (m_triangulation.dimension() < 1)
+      return;
+    auto neighbor = m_triangulation.tds().incident_vertices(vertex_handle(v));
+    const auto first = neighbor;
+    do
+      f(neighbor.base().index());
+    while (++neighbor != first);
+  }
+
+  Triangulation m_triangulation;
+  Storage& m_storage; // of m_triangulation's data structure
+  Writable_positions_2<Point> m_positions;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_SPACE_PLANE_SPACE_2_H
