@@ -112,8 +112,7 @@ class Dynamic_Delaunay_triangulation_2
         Dynamic_Delaunay_triangulation_2<Traits, Classifier, Options...>>
 {
   using Base = Dynamic_triangulation_base_2<Dynamic_Delaunay_triangulation_2>;
-  friend Base;
-  using typename Base::Identity_map;
+  friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
   using typename Base::Index;
   using typename Base::State;
   template <class Range>
@@ -154,13 +153,7 @@ public:
   {
   }
 
-  /// creates an empty triangulation with a classifier.
-  explicit Dynamic_Delaunay_triangulation_2(const Delaunay_classifier& classifier)
-    : Dynamic_Delaunay_triangulation_2(Settings{classifier})
-  {
-  }
-
-  /// creates an empty triangulation with these settings.
+  /// creates an empty triangulation with these settings, which may be a classifier alone.
   explicit Dynamic_Delaunay_triangulation_2(const Settings& settings)
     : Base(settings, Traits())
   {
@@ -177,37 +170,13 @@ public:
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                    const Settings& settings = Settings())
-    : Dynamic_Delaunay_triangulation_2(first, beyond, Identity_map(), settings)
+    : Dynamic_Delaunay_triangulation_2(settings)
   {
-  }
-
-  /// triangulates the points of the range with a classifier, and defaults for everything else.
-  template <class InputIterator>
-  Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
-                                   const Delaunay_classifier& classifier)
-    : Dynamic_Delaunay_triangulation_2(first, beyond, Settings{classifier})
-  {
-  }
-
-  /// triangulates the points of a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  explicit Dynamic_Delaunay_triangulation_2(const Range& points,
-                                            const Settings& settings = Settings())
-    : Dynamic_Delaunay_triangulation_2(std::begin(points), std::end(points), settings)
-  {
-  }
-
-  /// triangulates the points of a range with `begin()` and `end()`, with a classifier.
-  template <class Range, class = If_range<Range>>
-  Dynamic_Delaunay_triangulation_2(const Range& points, const Delaunay_classifier& classifier)
-    : Dynamic_Delaunay_triangulation_2(points, Settings{classifier})
-  {
+    this->insert(first, beyond);
   }
 
   /// triangulates the points that `point_map` reads from the values of the range.
   /// \tparam PointMap a model of `ReadablePropertyMap` from the range's values to `Point`.
-  /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Point_limit_error_2 as
-  /// without a map.
   template <class InputIterator, class PointMap, class = If_map<PointMap>>
   Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
                                    const Settings& settings = Settings())
@@ -216,11 +185,19 @@ public:
     this->insert(first, beyond, point_map, Emptyset_iterator());
   }
 
-  /// triangulates the points that `point_map` reads, with a classifier.
-  template <class InputIterator, class PointMap, class = If_map<PointMap>>
-  Dynamic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond, PointMap point_map,
-                                   const Delaunay_classifier& classifier)
-    : Dynamic_Delaunay_triangulation_2(first, beyond, point_map, Settings{classifier})
+  /// triangulates the points of a range with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  explicit Dynamic_Delaunay_triangulation_2(const Range& range,
+                                            const Settings& settings = Settings())
+    : Dynamic_Delaunay_triangulation_2(std::begin(range), std::end(range), settings)
+  {
+  }
+
+  /// triangulates the points that `point_map` reads from a range with `begin()` and `end()`.
+  template <class Range, class PointMap, class = If_range<Range>, class = If_map<PointMap>>
+  Dynamic_Delaunay_triangulation_2(const Range& range, PointMap point_map,
+                                   const Settings& settings = Settings())
+    : Dynamic_Delaunay_triangulation_2(std::begin(range), std::end(range), point_map, settings)
   {
   }
 
@@ -320,10 +297,10 @@ public:
   }
 
   /// @}
-  /// \cond
 
-  // For `Dynamic_population_2`: returns a function of a point and its place in a frame, which
-  // throws if the position is not allowed.
+private:
+  // Returns a function of a point and its place in a frame, which throws if the position is not
+  // allowed.
   static auto position_check()
   {
     return [](const Point& p, size_type place) {
@@ -331,7 +308,6 @@ public:
     };
   }
 
-private:
   template <class Function>
   void call_with_ids(Function& f, Index v, Index w) const
   {
@@ -339,33 +315,10 @@ private:
     if (!Frame::is_infinite(v) && !Frame::is_infinite(w))
       f(size_type(ids.representative(v)), size_type(ids.representative(w)));
   }
-  /// \endcond
 };
 
-} // namespace CGAL
+CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE(Dynamic_Delaunay_triangulation_2)
 
-// The kernels that `compiled_updates.h` compiles, for each of these tags.
-#define CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE(prefix, tag)                                           \
-  CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
-      prefix, Dynamic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel,      \
-                                               Default, With_concurrency_2<tag>>)
-#define CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE_WITH_VISITOR(prefix, tag)                              \
-  CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
-      prefix, Dynamic_Delaunay_triangulation_2<                                                    \
-                  Exact_predicates_inexact_constructions_kernel, Default,                          \
-                  With_visitor_2<Dynamic_Delaunay_triangulations_2::internal::Heard_visitor_2>,    \
-                  With_concurrency_2<tag>>)
-
-#ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-namespace CGAL {
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE(extern, Sequential_tag);
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE_WITH_VISITOR(extern, Sequential_tag);
-#ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PARALLEL
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE(extern, Parallel_tag);
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE_WITH_VISITOR(extern, Parallel_tag);
-#endif
 } // namespace CGAL
-#endif
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_H

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 namespace CGAL {
 
@@ -24,16 +25,61 @@ class Dynamic_Delaunay_triangulation_error_2 : public std::runtime_error
 {
 public:
   using std::runtime_error::runtime_error;
+};
 
-  /// \cond
+namespace Dynamic_Delaunay_triangulations_2::internal {
+
+// An error with values, which its accessors name, and a message joined from texts and numbers.
+template <class... Values>
+class Error_with : public Dynamic_Delaunay_triangulation_error_2
+{
 protected:
-  // Joins the parts of a message.
+  using Error = Error_with;
+
   template <class... Parts>
-  static std::string text(const Parts&... parts)
+  explicit Error_with(const std::tuple<Values...>& values, const Parts&... parts)
+    : Dynamic_Delaunay_triangulation_error_2(message_text(parts...))
+    , m_values(values)
   {
-    return Dynamic_Delaunay_triangulations_2::internal::message_text(parts...);
+  }
+
+  template <std::size_t i>
+  const auto& value() const
+  {
+    return std::get<i>(m_values);
+  }
+
+private:
+  std::tuple<Values...> m_values;
+};
+
+} // namespace Dynamic_Delaunay_triangulations_2::internal
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+The coordinates of a point are refused: the base of `Non_finite_coordinate_error_2`,
+`Coordinate_range_error_2` and `Periodic_range_error_2`.
+*/
+class Coordinate_error_2
+  : public Dynamic_Delaunay_triangulations_2::internal::Error_with<std::size_t, double, double>
+{
+public:
+  /// \cond
+  template <class... Parts>
+  Coordinate_error_2(std::size_t id, double x, double y, const char* name, const Parts&... demand)
+    : Error({id, x, y}, name, " ", id, " has the coordinates (", x, ", ", y, "): ", demand...)
+  {
   }
   /// \endcond
+
+  /// the id of the point; a place in the range, from 0 on, if a `Dynamic_population_2`, a
+  /// distributed triangulation or a query for places throws it.
+  std::size_t id() const { return value<0>(); }
+  /// its first coordinate, as a double.
+  double x() const { return value<1>(); }
+  /// its second coordinate, as a double.
+  double y() const { return value<2>(); }
 };
 
 /*!
@@ -42,31 +88,15 @@ protected:
 A coordinate is NaN or infinite, or too large for a double. A number of an exact kernel that is not
 a double itself may count as too large from half of the largest double on.
 */
-class Non_finite_coordinate_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Non_finite_coordinate_error_2 : public Coordinate_error_2
 {
 public:
   /// \cond
   Non_finite_coordinate_error_2(std::size_t id, double x, double y, const char* name = "point")
-    : Dynamic_Delaunay_triangulation_error_2(text(name, " ", id, " has the coordinates (", x, ", ",
-                                                  y, "): both must be finite numbers"))
-    , m_id(id)
-    , m_x(x)
-    , m_y(y)
+    : Coordinate_error_2(id, x, y, name, "both must be finite numbers")
   {
   }
   /// \endcond
-
-  /// the id of the point; a place in the range, from 0 on, if a `Dynamic_population_2`, a
-  /// distributed triangulation or a query for places throws it.
-  std::size_t id() const { return m_id; }
-  /// its first coordinate, as a double.
-  double x() const { return m_x; }
-  /// its second coordinate, as a double.
-  double y() const { return m_y; }
-
-private:
-  std::size_t m_id;
-  double m_x, m_y;
 };
 
 /*!
@@ -77,36 +107,24 @@ for SSE4.1 or AVX (`-march=native`) have such a limit, 2^510 or 3.35e153: CGAL's
 gives wrong results there when it overflows. Without these instructions all finite doubles are
 allowed.
 */
-class Coordinate_range_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Coordinate_range_error_2 : public Coordinate_error_2
 {
 public:
   /// \cond
   Coordinate_range_error_2(std::size_t id, double x, double y, double limit,
                            const char* name = "point")
-    : Dynamic_Delaunay_triangulation_error_2(
-          text(name, " ", id, " has the coordinates (", x, ", ", y, "): both must be smaller than ",
-               limit, " in absolute value where CGAL is compiled for SSE4.1 or AVX"))
-    , m_id(id)
-    , m_x(x)
-    , m_y(y)
+    : Coordinate_error_2(id, x, y, name, "both must be smaller than ", limit,
+                         " in absolute value where CGAL is compiled for SSE4.1 or AVX")
     , m_limit(limit)
   {
   }
   /// \endcond
 
-  /// the id of the point; a place in the range, from 0 on, if a `Dynamic_population_2`, a
-  /// distributed triangulation or a query for places throws it.
-  std::size_t id() const { return m_id; }
-  /// its first coordinate, as a double.
-  double x() const { return m_x; }
-  /// its second coordinate, as a double.
-  double y() const { return m_y; }
   /// the limit: absolute values of coordinates must be smaller.
   double limit() const { return m_limit; }
 
 private:
-  std::size_t m_id;
-  double m_x, m_y, m_limit;
+  double m_limit;
 };
 
 /*!
@@ -115,29 +133,24 @@ private:
 A frame has too few or too many points, or a list, such as one of radii, weights or data, has too
 few or too many entries. Points of a random-access range are counted before any of them is read.
 */
-class Point_count_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Point_count_error_2
+  : public Dynamic_Delaunay_triangulations_2::internal::Error_with<std::size_t, std::size_t>
 {
 public:
   /// \cond
   Point_count_error_2(std::size_t expected, std::size_t given,
                       const char* due = "in a frame one position for each id from 0 to the last, "
                                         "any one for those of removed points")
-    : Dynamic_Delaunay_triangulation_error_2(text("given are ", given,
-                                                  (given == expected + 1 ? " or more" : ""),
-                                                  " entries, and ", expected, " are due: ", due))
-    , m_expected(expected)
-    , m_given(given)
+    : Error({expected, given}, "given are ", given, given == expected + 1 ? " or more" : "",
+            " entries, and ", expected, " are due: ", due)
   {
   }
   /// \endcond
 
   /// the required number: of ids, of pieces of boundaries, or of points that the rank owns.
-  std::size_t expected() const { return m_expected; }
+  std::size_t expected() const { return value<0>(); }
   /// the number that was given; `expected() + 1` means that many or more.
-  std::size_t given() const { return m_given; }
-
-private:
-  std::size_t m_expected, m_given;
+  std::size_t given() const { return value<1>(); }
 };
 
 /*!
@@ -146,27 +159,22 @@ private:
 There would be more points than the indices of 32 bits allow: 536,870,911. Points of a random-access
 range are counted before any of them is read.
 */
-class Point_limit_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Point_limit_error_2
+  : public Dynamic_Delaunay_triangulations_2::internal::Error_with<std::size_t, std::size_t>
 {
 public:
   /// \cond
   Point_limit_error_2(std::size_t number, std::size_t limit)
-    : Dynamic_Delaunay_triangulation_error_2(text("there would be ", number,
-                                                  (number == limit + 1 ? " or more" : ""),
-                                                  " points: a triangulation holds at most ", limit))
-    , m_number(number)
-    , m_limit(limit)
+    : Error({number, limit}, "there would be ", number, number == limit + 1 ? " or more" : "",
+            " points: a triangulation holds at most ", limit)
   {
   }
   /// \endcond
 
   /// the number of points that there would be; `limit() + 1` means that many or more.
-  std::size_t number() const { return m_number; }
+  std::size_t number() const { return value<0>(); }
   /// the largest number of points that is allowed.
-  std::size_t limit() const { return m_limit; }
-
-private:
-  std::size_t m_number, m_limit;
+  std::size_t limit() const { return value<1>(); }
 };
 
 /*!
@@ -174,35 +182,31 @@ private:
 
 No point has this id.
 */
-class Unknown_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Unknown_id_error_2
+  : public Dynamic_Delaunay_triangulations_2::internal::Error_with<std::size_t, std::size_t>
 {
 public:
   /// \cond
   Unknown_id_error_2(std::size_t id, std::size_t number_of_ids)
-    : Dynamic_Delaunay_triangulation_error_2(message(id, number_of_ids))
-    , m_id(id)
-    , m_number_of_ids(number_of_ids)
+    : Error({id, number_of_ids}, "there is no point with id ", id, ": ", reason(id, number_of_ids))
   {
   }
   /// \endcond
 
   /// the id that was asked for.
-  std::size_t id() const { return m_id; }
+  std::size_t id() const { return value<0>(); }
   /// one more than the largest id ever in use.
-  std::size_t number_of_ids() const { return m_number_of_ids; }
+  std::size_t number_of_ids() const { return value<1>(); }
 
 private:
-  static std::string message(std::size_t id, std::size_t number_of_ids)
+  static std::string reason(std::size_t id, std::size_t number_of_ids)
   {
-    const std::string start = text("there is no point with id ", id, ": ");
     if (id < number_of_ids)
-      return start + "it was removed";
+      return "it was removed";
     if (number_of_ids == 0)
-      return start + "the triangulation never had any points";
-    return text(start, "ids run from 0 to ", number_of_ids - 1);
+      return "the triangulation never had any points";
+    return "ids run from 0 to " + std::to_string(number_of_ids - 1);
   }
-
-  std::size_t m_id, m_number_of_ids;
 };
 
 /*!
@@ -210,26 +214,22 @@ private:
 
 A classifier has named a vertex or an edge that does not exist.
 */
-class Unknown_index_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Unknown_index_error_2
+  : public Dynamic_Delaunay_triangulations_2::internal::Error_with<std::size_t, std::size_t>
 {
 public:
   /// \cond
   Unknown_index_error_2(const std::string& what, std::size_t index, std::size_t bound)
-    : Dynamic_Delaunay_triangulation_error_2(
-          text("there is no ", what, " ", index, ": their indices are smaller than ", bound))
-    , m_index(index)
-    , m_bound(bound)
+    : Error({index, bound}, "there is no ", what, " ", index, ": their indices are smaller than ",
+            bound)
   {
   }
   /// \endcond
 
   /// the index.
-  std::size_t index() const { return m_index; }
+  std::size_t index() const { return value<0>(); }
   /// one more than the largest valid index.
-  std::size_t bound() const { return m_bound; }
-
-private:
-  std::size_t m_index, m_bound;
+  std::size_t bound() const { return value<1>(); }
 };
 
 /*!
@@ -237,23 +237,20 @@ private:
 
 No point of a `Dynamic_population_2` or a distributed triangulation has this id.
 */
-class Unknown_user_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Unknown_user_id_error_2
+  : public Dynamic_Delaunay_triangulations_2::internal::Error_with<std::string>
 {
 public:
   /// \cond
   template <class Id>
   explicit Unknown_user_id_error_2(const Id& id)
-    : Dynamic_Delaunay_triangulation_error_2("there is no point with id " + std::to_string(id))
-    , m_id(std::to_string(id))
+    : Error({std::to_string(id)}, "there is no point with id ", std::to_string(id))
   {
   }
   /// \endcond
 
   /// the id that was asked for, in decimal digits, since user ids may be integers of any type.
-  const std::string& id() const { return m_id; }
-
-private:
-  std::string m_id;
+  const std::string& id() const { return value<0>(); }
 };
 
 /*!
@@ -261,28 +258,21 @@ private:
 
 An id is given more than once in one call, or belongs to a point already.
 */
-class Repeated_id_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Repeated_id_error_2
+  : public Dynamic_Delaunay_triangulations_2::internal::Error_with<std::string>
 {
 public:
   /// \cond
   template <class Id>
   explicit Repeated_id_error_2(const Id& id)
-    : Dynamic_Delaunay_triangulation_error_2(message(std::to_string(id)))
-    , m_id(std::to_string(id))
+    : Error({std::to_string(id)}, "the id ", std::to_string(id),
+            " is there more than once: each may name one point only")
   {
   }
   /// \endcond
 
   /// the id, in decimal digits, since user ids may be integers of any type.
-  const std::string& id() const { return m_id; }
-
-private:
-  static std::string message(const std::string& id)
-  {
-    return "the id " + id + " is there more than once: each may name one point only";
-  }
-
-  std::string m_id;
+  const std::string& id() const { return value<0>(); }
 };
 
 /*!
@@ -296,14 +286,11 @@ class Uncertified_triangulation_error_2 : public Dynamic_Delaunay_triangulation_
 {
 public:
   /// \cond
-  Uncertified_triangulation_error_2()
-    : Dynamic_Delaunay_triangulation_error_2(
+  explicit Uncertified_triangulation_error_2(
+      const std::string& what =
           "the triangulation is not certified after a heuristic update: call mend() to make it "
           "Delaunay, or certify() to find out whether it is; tds() and frame() can be read as it "
           "is")
-  {
-  }
-  explicit Uncertified_triangulation_error_2(const std::string& what)
     : Dynamic_Delaunay_triangulation_error_2(what)
   {
   }
@@ -316,26 +303,22 @@ public:
 A number is out of range: a parameter of a classifier or a policy, a radius, the size of a box, a
 number of weights, or a load factor; or a load factor is not the same on all ranks.
 */
-class Parameter_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Parameter_error_2 : public Dynamic_Delaunay_triangulations_2::internal::Error_with<double>
 {
 public:
   /// \cond
   Parameter_error_2(const std::string& name, double value, double lowest, double highest)
-    : Parameter_error_2(name, value, text("from ", lowest, " to ", highest))
+    : Error({value}, name, " is ", value, ": it must be from ", lowest, " to ", highest)
   {
   }
   Parameter_error_2(const std::string& name, double value, const std::string& demand)
-    : Dynamic_Delaunay_triangulation_error_2(text(name, " is ", value, ": it must be ", demand))
-    , m_value(value)
+    : Error({value}, name, " is ", value, ": it must be ", demand)
   {
   }
   /// \endcond
 
   /// the value that was given.
-  double value() const { return m_value; }
-
-private:
-  double m_value;
+  double value() const { return Error::value<0>(); }
 };
 
 /*!
@@ -345,22 +328,18 @@ The corners of a domain are not those of a convex polygon, counterclockwise, or 
 simple polygon with holes where that is allowed; or the points are in periodic space, where no
 domain may be set.
 */
-class Domain_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Domain_error_2 : public Dynamic_Delaunay_triangulations_2::internal::Error_with<std::size_t>
 {
 public:
   /// \cond
   Domain_error_2(std::size_t corner, const std::string& demand)
-    : Dynamic_Delaunay_triangulation_error_2(text("corner ", corner, " of the domain: ", demand))
-    , m_corner(corner)
+    : Error({corner}, "corner ", corner, " of the domain: ", demand)
   {
   }
   /// \endcond
 
   /// the number of the corner; corners of holes follow those of the outer boundary.
-  std::size_t corner() const { return m_corner; }
-
-private:
-  std::size_t m_corner;
+  std::size_t corner() const { return value<0>(); }
 };
 
 /*!
@@ -371,28 +350,22 @@ distances or translations cannot be computed; or it is not of the kind that is n
 place of a cell with two vectors or the reverse, not a square for a conversion, or not the same on
 all ranks.
 */
-class Periodic_cell_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Periodic_cell_error_2
+  : public Dynamic_Delaunay_triangulations_2::internal::Error_with<double, double, double, double>
 {
 public:
   /// \cond
   Periodic_cell_error_2(double ax, double ay, double bx, double by, const std::string& demand)
-    : Dynamic_Delaunay_triangulation_error_2(text("a periodic cell has the vectors (", ax, ", ", ay,
-                                                  ") and (", bx, ", ", by, "): ", demand))
-    , m_ax(ax)
-    , m_ay(ay)
-    , m_bx(bx)
-    , m_by(by)
+    : Error({ax, ay, bx, by}, "a periodic cell has the vectors (", ax, ", ", ay, ") and (", bx,
+            ", ", by, "): ", demand)
   {
   }
   /// \endcond
 
-  double ax() const { return m_ax; } ///< of the first vector.
-  double ay() const { return m_ay; } ///< of the first vector.
-  double bx() const { return m_bx; } ///< of the second vector, 0 in a slab.
-  double by() const { return m_by; } ///< of the second vector, 0 in a slab.
-
-private:
-  double m_ax, m_ay, m_bx, m_by;
+  double ax() const { return value<0>(); } ///< of the first vector.
+  double ay() const { return value<1>(); } ///< of the first vector.
+  double bx() const { return value<2>(); } ///< of the second vector, 0 in a slab.
+  double by() const { return value<3>(); } ///< of the second vector, 0 in a slab.
 };
 
 /*!
@@ -401,27 +374,18 @@ private:
 A point or a place in periodic space is so many cells away from the origin that the translations
 between neighbors could not be counted.
 */
-class Periodic_range_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Periodic_range_error_2 : public Coordinate_error_2
 {
 public:
   /// \cond
   Periodic_range_error_2(std::size_t id, double x, double y, double limit,
                          const char* name = "point")
-    : Dynamic_Delaunay_triangulation_error_2(
-          text(name, " ", id, " has the coordinates (", x, ", ", y,
-               "): both of its multiples of the cell's vectors must be below ", limit,
-               " in absolute value"))
-    , m_id(id)
+    : Coordinate_error_2(id, x, y, name,
+                         "both of its multiples of the cell's vectors must be below ", limit,
+                         " in absolute value")
   {
   }
   /// \endcond
-
-  /// the id of the point; a place in the range, from 0 on, if a `Dynamic_population_2`, a
-  /// distributed triangulation or a query for places throws it.
-  std::size_t id() const { return m_id; }
-
-private:
-  std::size_t m_id;
 };
 
 /*!
@@ -433,12 +397,7 @@ or one sheet is not enough.
 class Periodic_conversion_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
 public:
-  /// \cond
-  explicit Periodic_conversion_error_2(const std::string& message)
-    : Dynamic_Delaunay_triangulation_error_2(message)
-  {
-  }
-  /// \endcond
+  using Dynamic_Delaunay_triangulation_error_2::Dynamic_Delaunay_triangulation_error_2;
 };
 
 /*!
@@ -447,28 +406,19 @@ public:
 A checkpoint cannot be written, or is refused because it is incomplete, was changed or damaged, or
 is not a checkpoint.
 */
-class Checkpoint_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Checkpoint_error_2
+  : public Dynamic_Delaunay_triangulations_2::internal::Error_with<std::size_t>
 {
 public:
   /// \cond
   Checkpoint_error_2(std::size_t line, const std::string& what)
-    : Dynamic_Delaunay_triangulation_error_2(message(line, what))
-    , m_line(line)
+    : Error({line}, "checkpoint", line > 0 ? ", line " + std::to_string(line) : "", ": ", what)
   {
   }
   /// \endcond
 
   /// the line, counted from 1 at the beginning of the checkpoint; 0 if the error concerns no line.
-  std::size_t line() const { return m_line; }
-
-private:
-  static std::string message(std::size_t line, const std::string& what)
-  {
-    return "checkpoint" + (line > 0 ? ", line " + std::to_string(line) : std::string()) + ": " +
-           what;
-  }
-
-  std::size_t m_line;
+  std::size_t line() const { return value<0>(); }
 };
 
 /*!
@@ -477,30 +427,24 @@ private:
 Another rank of a distributed triangulation was given bad input, and throws its own error; or ranks
 have called different functions, which all of them throw. Nothing changes on any rank.
 */
-class Distributed_input_error_2 : public Dynamic_Delaunay_triangulation_error_2
+class Distributed_input_error_2
+  : public Dynamic_Delaunay_triangulations_2::internal::Error_with<int>
 {
 public:
   /// \cond
   explicit Distributed_input_error_2(int rank)
-    : Dynamic_Delaunay_triangulation_error_2("rank " + std::to_string(rank) +
-                                             " was given bad input, and says which")
-    , m_rank(rank)
+    : Error({rank}, "rank ", rank, " was given bad input, and says which")
   {
   }
   Distributed_input_error_2(int rank, const std::string& call_of_first, const std::string& call)
-    : Dynamic_Delaunay_triangulation_error_2(text("rank 0 calls ", call_of_first, ", and rank ",
-                                                  rank, " calls ", call,
-                                                  ": all ranks must call the same function"))
-    , m_rank(rank)
+    : Error({rank}, "rank 0 calls ", call_of_first, ", and rank ", rank, " calls ", call,
+            ": all ranks must call the same function")
   {
   }
   /// \endcond
 
   /// the first rank with bad input, or that has called another function than rank 0.
-  int rank() const { return m_rank; }
-
-private:
-  int m_rank;
+  int rank() const { return value<0>(); }
 };
 
 } // namespace CGAL

@@ -20,6 +20,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_slack_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Triangulation_state_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Reinsertion_tool_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Delaunay_update_visitor_base_2.h>
@@ -110,7 +111,7 @@ class Dynamic_periodic_Delaunay_triangulation_2
         Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Options...>>
 {
   using Base = Dynamic_triangulation_base_2<Dynamic_periodic_Delaunay_triangulation_2>;
-  friend Base;
+  friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
   using Arrays = Dynamic_Delaunay_triangulations_2::internal::Halfedge_arrays_2;
   using typename Base::Floating_point;
   using typename Base::Identity_map;
@@ -138,19 +139,13 @@ public:
   /// \name Creation
   /// @{
 
-  /// creates an empty triangulation of the torus with this cell.
+  /// creates an empty triangulation of the torus with this cell, and with these settings, which may
+  /// be a classifier alone.
   /// \throws Periodic_cell_error_2 if the cell is so thin or extreme that doubles cannot tell how
   /// far points are apart in it.
   explicit Dynamic_periodic_Delaunay_triangulation_2(const Periodic_cell_2& cell,
                                                      const Settings& settings = Settings())
     : Base(settings, checked(cell))
-  {
-  }
-
-  /// creates an empty triangulation with a classifier.
-  Dynamic_periodic_Delaunay_triangulation_2(const Periodic_cell_2& cell,
-                                            const Delaunay_classifier& classifier)
-    : Dynamic_periodic_Delaunay_triangulation_2(cell, Settings{classifier})
   {
   }
 
@@ -164,40 +159,13 @@ public:
   Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                             const Periodic_cell_2& cell,
                                             const Settings& settings = Settings())
-    : Dynamic_periodic_Delaunay_triangulation_2(first, beyond, Identity_map(), cell, settings)
+    : Dynamic_periodic_Delaunay_triangulation_2(cell, settings)
   {
-  }
-
-  /// triangulates the points of the range with a classifier, and defaults for everything else.
-  template <class InputIterator>
-  Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
-                                            const Periodic_cell_2& cell,
-                                            const Delaunay_classifier& classifier)
-    : Dynamic_periodic_Delaunay_triangulation_2(first, beyond, cell, Settings{classifier})
-  {
-  }
-
-  /// triangulates the points of a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Dynamic_periodic_Delaunay_triangulation_2(const Range& points, const Periodic_cell_2& cell,
-                                            const Settings& settings = Settings())
-    : Dynamic_periodic_Delaunay_triangulation_2(std::begin(points), std::end(points), cell,
-                                                settings)
-  {
-  }
-
-  /// triangulates the points of a range with `begin()` and `end()`, with a classifier.
-  template <class Range, class = If_range<Range>>
-  Dynamic_periodic_Delaunay_triangulation_2(const Range& points, const Periodic_cell_2& cell,
-                                            const Delaunay_classifier& classifier)
-    : Dynamic_periodic_Delaunay_triangulation_2(points, cell, Settings{classifier})
-  {
+    this->insert(first, beyond);
   }
 
   /// triangulates the points that `point_map` reads from the values of the range.
   /// \tparam PointMap a model of `ReadablePropertyMap` from the range's values to `Point`.
-  /// \throws Non_finite_coordinate_error_2, Periodic_range_error_2, Point_limit_error_2 or
-  /// Periodic_cell_error_2 as without a map.
   template <class InputIterator, class PointMap, class = If_map<PointMap>>
   Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
                                             PointMap point_map, const Periodic_cell_2& cell,
@@ -207,13 +175,21 @@ public:
     this->insert(first, beyond, point_map, Emptyset_iterator());
   }
 
-  /// triangulates the points that `point_map` reads, with a classifier.
-  template <class InputIterator, class PointMap, class = If_map<PointMap>>
-  Dynamic_periodic_Delaunay_triangulation_2(InputIterator first, InputIterator beyond,
-                                            PointMap point_map, const Periodic_cell_2& cell,
-                                            const Delaunay_classifier& classifier)
-    : Dynamic_periodic_Delaunay_triangulation_2(first, beyond, point_map, cell,
-                                                Settings{classifier})
+  /// triangulates the points of a range with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Dynamic_periodic_Delaunay_triangulation_2(const Range& range, const Periodic_cell_2& cell,
+                                            const Settings& settings = Settings())
+    : Dynamic_periodic_Delaunay_triangulation_2(std::begin(range), std::end(range), cell, settings)
+  {
+  }
+
+  /// triangulates the points that `point_map` reads from a range with `begin()` and `end()`.
+  template <class Range, class PointMap, class = If_range<Range>, class = If_map<PointMap>>
+  Dynamic_periodic_Delaunay_triangulation_2(const Range& range, PointMap point_map,
+                                            const Periodic_cell_2& cell,
+                                            const Settings& settings = Settings())
+    : Dynamic_periodic_Delaunay_triangulation_2(std::begin(range), std::end(range), point_map, cell,
+                                                settings)
   {
   }
 
@@ -344,9 +320,9 @@ public:
   }
 
   /// @}
-  /// \cond
 
-  // For `Dynamic_population_2`: a function of a point and its place in a frame, which throws if the
+private:
+  // A function of a point and its place in a frame, which throws if the
   // position is not allowed. While it lives, floating-point arithmetic is in its default state.
   class Position_check
   {
@@ -372,42 +348,16 @@ public:
     return Position_check(next);
   }
 
-private:
   static const Periodic_cell_2& checked(const Periodic_cell_2& cell)
   {
     const Floating_point floating_point;
     Dynamic_Delaunay_triangulations_2::internal::check_cell(cell);
     return cell;
   }
-
-  /// \endcond
 };
 
-} // namespace CGAL
+CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE(Dynamic_periodic_Delaunay_triangulation_2)
 
-// The kernels that `compiled_updates.h` compiles, for each of these tags.
-#define CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE(prefix, tag)                                  \
-  CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
-      prefix,                                                                                      \
-      Dynamic_periodic_Delaunay_triangulation_2<Exact_predicates_inexact_constructions_kernel,     \
-                                                Default, With_concurrency_2<tag>>)
-#define CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(prefix, tag)                     \
-  CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
-      prefix, Dynamic_periodic_Delaunay_triangulation_2<                                           \
-                  Exact_predicates_inexact_constructions_kernel, Default,                          \
-                  With_visitor_2<Dynamic_Delaunay_triangulations_2::internal::Heard_visitor_2>,    \
-                  With_concurrency_2<tag>>)
-
-#ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-namespace CGAL {
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE(extern, Sequential_tag);
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(extern, Sequential_tag);
-#ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PARALLEL
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE(extern, Parallel_tag);
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(extern, Parallel_tag);
-#endif
 } // namespace CGAL
-#endif
 
 #endif // CGAL_DYNAMIC_PERIODIC_DELAUNAY_TRIANGULATION_2_H

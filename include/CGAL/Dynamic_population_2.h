@@ -69,6 +69,13 @@ class Dynamic_population_2
   static_assert(std::is_integral_v<UserId>, "the ids of a population are integers");
   template <class Range>
   using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
+  template <class Iterator>
+  using First_of = Dynamic_Delaunay_triangulations_2::internal::First_of<Iterator>;
+  template <class Iterator>
+  using Second_of = Dynamic_Delaunay_triangulations_2::internal::Second_of<Iterator>;
+  template <class Map>
+  using If_map = Dynamic_Delaunay_triangulations_2::internal::If_map<Map>;
+  using Access = Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
   using Traits = Dynamic_Delaunay_triangulations_2::internal::Population_traits_2<Dynamic>;
 
 public:
@@ -124,33 +131,30 @@ public:
   /// which is almost free for points that follow each other as in the last frame; for inserted and
   /// removed points, proportional to their number. Never much more than a rebuild.
   ///
-  /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
+  /// \tparam IdMap, PointMap models of `ReadablePropertyMap` from the range's values to `User_id`
+  /// and
+  ///   to `Point`; by default the values are pairs of both.
   /// \throws Repeated_id_error_2 if an id is given more than once.
   /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite, or
   /// Coordinate_range_error_2 if it is too large, or in periodic space Periodic_range_error_2 if a
   /// point is too many cells from the origin; the `id()` of these is the place in the range,
   /// counted from 0. \throws Point_limit_error_2 if there are more points than 32 bits allow.
-  template <class InputIterator>
-  Update_report_2 update(InputIterator first, InputIterator beyond)
+  template <class InputIterator, class IdMap = First_of<InputIterator>,
+            class PointMap = Second_of<InputIterator>, class = If_map<IdMap>>
+  Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
+                         PointMap point_map = PointMap())
   {
-    using Value = typename std::iterator_traits<InputIterator>::value_type;
-    return update(first, beyond, First_of_pair_property_map<Value>(),
-                  Second_of_pair_property_map<Value>());
+    return update_to(first, beyond, id_map, point_map);
   }
 
   /// takes a whole frame from a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Update_report_2 update(const Range& frame)
+  template <class Range, class IdMap = First_of<If_range<Range>>,
+            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>,
+            class = If_map<IdMap>>
+  Update_report_2 update(const Range& range, IdMap id_map = IdMap(),
+                         PointMap point_map = PointMap())
   {
-    return update(std::begin(frame), std::end(frame));
-  }
-
-  /// takes a whole frame; property maps read the ids and points from the values of the range.
-  template <class InputIterator, class IdMap, class PointMap>
-  Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map,
-                         PointMap point_map)
-  {
-    return update_to(first, beyond, id_map, point_map);
+    return update_to(std::begin(range), std::end(range), id_map, point_map);
   }
 
   /// takes a whole frame of a `Dynamic_periodic_Delaunay_triangulation_2`, in a cell that has
@@ -167,16 +171,22 @@ public:
   template <class InputIterator>
   Update_report_2 update(InputIterator first, InputIterator beyond, const Periodic_cell_2& cell)
   {
-    using Value = typename std::iterator_traits<InputIterator>::value_type;
-    return update(first, beyond, First_of_pair_property_map<Value>(),
-                  Second_of_pair_property_map<Value>(), cell);
+    return update_to(first, beyond, First_of<InputIterator>(), Second_of<InputIterator>(), cell);
   }
 
   /// takes a whole frame, in a cell that has changed, from a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Update_report_2 update(const Range& frame, const Periodic_cell_2& cell)
+  template <class Range, class IdMap, class PointMap, class = If_range<Range>>
+  Update_report_2 update(const Range& range, IdMap id_map, PointMap point_map,
+                         const Periodic_cell_2& cell)
   {
-    return update(std::begin(frame), std::end(frame), cell);
+    return update_to(std::begin(range), std::end(range), id_map, point_map, cell);
+  }
+
+  /// takes a whole frame of pairs of ids and points, in a cell that has changed, from a range.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 update(const Range& range, const Periodic_cell_2& cell)
+  {
+    return update(std::begin(range), std::end(range), cell);
   }
 
   /// adds a point. \throws Repeated_id_error_2 if a point has this id already.
@@ -189,33 +199,18 @@ public:
   }
 
   /// adds the points of a range, as `Dynamic_Delaunay_triangulation_2::insert()` does.
-  /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
+  /// The parameters are those of `update()`.
   /// \throws Repeated_id_error_2 if a point has one of these ids already, or if an id is given more
   /// than once. \throws Non_finite_coordinate_error_2, Coordinate_range_error_2,
   /// Periodic_range_error_2 or Point_limit_error_2 as `update()`.
-  template <class InputIterator>
-  Update_report_2 insert(InputIterator first, InputIterator beyond)
-  {
-    using Value = typename std::iterator_traits<InputIterator>::value_type;
-    return insert(first, beyond, First_of_pair_property_map<Value>(),
-                  Second_of_pair_property_map<Value>());
-  }
-
-  /// adds the points of a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Update_report_2 insert(const Range& newcomers)
-  {
-    return insert(std::begin(newcomers), std::end(newcomers));
-  }
-
-  /// adds points; property maps read their ids and positions from the values of the range.
-  template <class InputIterator, class IdMap, class PointMap>
-  Update_report_2 insert(InputIterator first, InputIterator beyond, IdMap id_map,
-                         PointMap point_map)
+  template <class InputIterator, class IdMap = First_of<InputIterator>,
+            class PointMap = Second_of<InputIterator>>
+  Update_report_2 insert(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
+                         PointMap point_map = PointMap())
   {
     Dynamic_Delaunay_triangulations_2::internal::length_within_limit(first, beyond, size());
     forget_newcomers();
-    read_each(first, beyond, id_map, point_map, m_triangulation.position_check(),
+    read_each(first, beyond, id_map, point_map, Access::position_check(m_triangulation),
               [this](UserId user_id, const Point& p) {
                 if (has(user_id))
                   throw Repeated_id_error_2(user_id);
@@ -223,6 +218,15 @@ public:
               });
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(m_newcomers);
     return insert_newcomers();
+  }
+
+  /// adds the points of a range with `begin()` and `end()`.
+  template <class Range, class IdMap = First_of<If_range<Range>>,
+            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
+  Update_report_2 insert(const Range& range, IdMap id_map = IdMap(),
+                         PointMap point_map = PointMap())
+  {
+    return insert(std::begin(range), std::end(range), id_map, point_map);
   }
 
   /// removes a point. \throws Unknown_user_id_error_2 if no point has this id.
@@ -264,39 +268,33 @@ public:
   }
 
   /// moves some of the points, as `Dynamic_Delaunay_triangulation_2::move()` does.
-  /// \tparam InputIterator its values are pairs of a `User_id` and a `Point`.
+  /// The parameters are those of `update()`.
   /// \throws Unknown_user_id_error_2 if an id belongs to no point.
   /// \throws Repeated_id_error_2 if an id is given more than once.
   /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 if a
   /// position is not allowed; the `id()` of these errors is the place in the range, counted from 0.
-  template <class InputIterator>
-  Update_report_2 move(InputIterator first, InputIterator beyond)
-  {
-    using Value = typename std::iterator_traits<InputIterator>::value_type;
-    return move(first, beyond, First_of_pair_property_map<Value>(),
-                Second_of_pair_property_map<Value>());
-  }
-
-  /// moves the points of a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Update_report_2 move(const Range& movers)
-  {
-    return move(std::begin(movers), std::end(movers));
-  }
-
-  /// moves points; property maps read their ids and positions from the values of the range.
-  template <class InputIterator, class IdMap, class PointMap>
-  Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
+  template <class InputIterator, class IdMap = First_of<InputIterator>,
+            class PointMap = Second_of<InputIterator>>
+  Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
+                       PointMap point_map = PointMap())
   {
     std::vector<UserId> user_ids;
     std::vector<std::pair<size_type, Point>> movers;
-    read_each(first, beyond, id_map, point_map, m_triangulation.position_check(),
+    read_each(first, beyond, id_map, point_map, Access::position_check(m_triangulation),
               [&](UserId user_id, const Point& p) {
                 movers.emplace_back(id(user_id), p);
                 user_ids.push_back(user_id);
               });
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
     return m_triangulation.move(movers.begin(), movers.end());
+  }
+
+  /// moves the points of a range with `begin()` and `end()`.
+  template <class Range, class IdMap = First_of<If_range<Range>>,
+            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
+  Update_report_2 move(const Range& range, IdMap id_map = IdMap(), PointMap point_map = PointMap())
+  {
+    return move(std::begin(range), std::end(range), id_map, point_map);
   }
 
   /// calls `Dynamic_Delaunay_triangulation_2::mend()`.
@@ -348,7 +346,7 @@ public:
   /// \throws Checkpoint_error_2 as that function does.
   void write_checkpoint(std::ostream& out) const
   {
-    m_triangulation.write_checkpoint(out, Traits::checkpoint_subject, [this](auto& file) {
+    Access::write_checkpoint(m_triangulation, out, Traits::checkpoint_subject, [this](auto& file) {
       file.line("user_ids", size());
       for (size_type id = 0; id < m_triangulation.number_of_ids(); ++id)
         if (m_triangulation.has_id(id))
@@ -371,7 +369,8 @@ public:
       m_ids.swap(ids);
       m_user_ids.swap(user_ids);
     };
-    m_triangulation.read_checkpoint(in, Traits::checkpoint_subject, read_more, exchange_more);
+    Access::read_checkpoint(m_triangulation, in, Traits::checkpoint_subject, read_more,
+                            exchange_more);
   }
 
   /// writes a checkpoint. Where `write_checkpoint()` would throw `Checkpoint_error_2`, the stream
@@ -392,10 +391,10 @@ public:
 
 private:
   template <class InputIterator, class IdMap, class PointMap, class... Cell>
-  Update_report_2 update_to(InputIterator first, InputIterator beyond, IdMap id_map,
-                            PointMap point_map, const Cell&... cell)
+  Update_report_2 update_to(InputIterator first, InputIterator beyond, const IdMap& id_map,
+                            const PointMap& point_map, const Cell&... cell)
   {
-    read(first, beyond, id_map, point_map, m_triangulation.position_check(cell...));
+    read(first, beyond, id_map, point_map, Access::position_check(m_triangulation, cell...));
     find_missing();
     m_new_ids.clear();
     const At_exit record{[this] {
@@ -403,8 +402,8 @@ private:
       record_newcomers();
     }};
     expect_newcomers();
-    return m_triangulation.update_population(m_positions.begin(), m_positions.end(), m_missing,
-                                             m_new_points, m_new_ids, cell...);
+    return Access::update_population(m_triangulation, m_positions, m_missing, m_new_points,
+                                     m_new_ids, cell...);
   }
 
   using Table = Dynamic_Delaunay_triangulations_2::internal::User_id_table<UserId>;

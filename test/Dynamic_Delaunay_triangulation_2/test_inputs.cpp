@@ -306,7 +306,15 @@ TEST(Ranges, of_users_ids_are_read_by_updates_insertions_moves_and_removals)
   EXPECT_TRUE(people.has(1003) && people.has(1004) && !people.has(-1));
   ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), points));
 
-  people.insert(std::list<std::pair<int, Point>>{{3, {0.5, 0.25}}, {4, {2, 2}}});
+  people.insert(std::list<std::pair<int, Point>>{{3, {0.5, 0.25}}});
+  const std::array<std::size_t, 1> four{4};
+  const auto itself =
+      boost::make_function_property_map<std::size_t>([](std::size_t i) { return i; });
+  const auto somewhere =
+      boost::make_function_property_map<std::size_t>([](std::size_t) { return Point(2, 2); });
+  people.insert(four, itself, somewhere);
+  EXPECT_EQ(people.point(4), Point(2, 2));
+  people.move(four, itself, somewhere);
   people.move(std::vector<std::pair<int, Point>>{{4, {0.125, 3}}});
   people.insert(5, Point(1, 1));
   people.move(5, Point(0.125, 3));
@@ -319,6 +327,8 @@ TEST(Ranges, of_users_ids_are_read_by_updates_insertions_moves_and_removals)
     ASSERT_EQ(people.point(i == 0 ? 5 : 1000 + std::int64_t(i)), points[i]);
   EXPECT_TRUE(people.triangulation().is_certified() && people.triangulation().is_valid(true));
   const std::vector<std::pair<std::int64_t, Point>> frame{{1002, {0, 0}}, {5, {1, 0}}, {3, {0, 1}}};
+  people.update(four, itself, somewhere);
+  EXPECT_TRUE(people.size() == 1 && people.has(4));
   people.update(frame);
   for (const auto& [user_id, p] : frame)
     ASSERT_EQ(people.point(user_id), p);

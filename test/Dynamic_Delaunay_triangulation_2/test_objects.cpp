@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
 #include <CGAL/Periodic_cell_2.h>
+#include <CGAL/property_map.h>
 
 #include <boost/property_map/function_property_map.hpp>
 
@@ -252,10 +253,15 @@ void expect_to_take_all_ranges(Triangulation& dt)
   for (std::size_t id = 0; id < number; ++id)
     EXPECT_EQ(dt.point(id), points[id]);
   dt.move(std::vector<Mover>{{5, points[6]}, {7, points[8]}});
-  dt.move(3, points[4]);
+  const std::list<Mover> movers{{3, points[4]}};
+  using Id_map = CGAL::First_of_pair_property_map<Mover>;
+  dt.move(movers, Id_map(), CGAL::Second_of_pair_property_map<Mover>());
+  dt.move(8, points[8]);
   EXPECT_EQ(dt.representative(3), 4u);
   EXPECT_EQ(dt.number_of_vertices(), number - 3);
-  dt.insert(cloud.uniform(3), std::back_inserter(ids));
+  dt.insert(cloud.uniform(2), std::back_inserter(ids));
+  const std::list<Particle> one_more{{1, cloud.uniform(1).front()}};
+  dt.insert(one_more, position_map, std::back_inserter(ids));
   EXPECT_EQ(ids.back(), number + 2);
   const Point more[] = {cloud.uniform(1).front(), cloud.uniform(1).front()};
   dt.insert(more);
@@ -277,6 +283,27 @@ TEST(Objects, of_all_spaces_take_ranges_and_property_maps)
   expect_to_take_all_ranges(pt);
 }
 
+TEST(Objects, are_created_from_ranges_with_a_map_settings_or_a_classifier_alone)
+{
+  using Classifier = CGAL::Point_distance_classifier_2;
+  using Distance = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Classifier>;
+  const Points points = Cloud<Epick>(15).uniform(20);
+  std::list<Particle> particles;
+  for (const Point& p : points)
+    particles.push_back({1, p});
+  Distance::Settings settings = Classifier(0.25);
+  settings.engines.whole = CGAL::Static_engine_2::INSERTION;
+  const Distance all[] = {Distance(points, settings),
+                          Distance(points.begin(), points.end(), Classifier(0.25)),
+                          Distance(particles, position_map, Classifier(0.25)),
+                          Distance(particles.begin(), particles.end(), position_map,
+                                   Distance::Settings{Classifier(0.25)})};
+  for (const Distance& dt : all) {
+    EXPECT_EQ(dt.classifier().x(), 0.25);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  }
+}
+
 TEST(Objects, of_periodic_space_take_property_maps_with_a_cell)
 {
   using Classifier = CGAL::Point_distance_classifier_2;
@@ -288,6 +315,7 @@ TEST(Objects, of_periodic_space_take_property_maps_with_a_cell)
   Periodic pt(particles.begin(), particles.end(), position_map, cell, Classifier(0.5));
   EXPECT_EQ(pt.number_of_points(), 50u);
   EXPECT_EQ(pt.classifier().x(), 0.5);
+  EXPECT_EQ(Periodic(particles, position_map, cell).number_of_points(), 50u);
   particles.front().position = Point(0.5, 0.25);
   pt.update(particles, position_map, wide);
   EXPECT_TRUE(pt.cell() == wide && pt.point(0) == Point(0.5, 0.25) && pt.is_valid(true));

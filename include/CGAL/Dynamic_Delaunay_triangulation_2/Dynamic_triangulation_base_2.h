@@ -26,6 +26,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Delaunay_update_visitor_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#endif
 #include <CGAL/iterator.h>
 #include <CGAL/property_map.h>
 
@@ -89,13 +92,46 @@ struct Chosen_types_2 : Options_check_2<Options...>
   static constexpr bool is_visitor_heard = !std::is_same_v<Visitor, Delaunay_update_visitor_base_2>;
 };
 
+// Stands for any visitor but the default one.
+struct Heard_visitor_2;
+
+// A valid type if Map is a property map.
+template <class Map>
+using If_map = typename boost::property_traits<Map>::key_type;
+
+// Maps that read the parts of the pairs to which an iterator points.
+template <class Iterator>
+using First_of = First_of_pair_property_map<typename std::iterator_traits<Iterator>::value_type>;
+template <class Iterator>
+using Second_of = Second_of_pair_property_map<typename std::iterator_traits<Iterator>::value_type>;
+
+// What other headers of the package use of the classes of triangulations, and programs do not.
+struct Triangulation_access_2
+{
+  template <class Dynamic, class... Cell>
+  static auto position_check(const Dynamic& dt, const Cell&... cell)
+  {
+    return dt.position_check(cell...);
+  }
+  template <class Dynamic, class... Frame>
+  static Update_report_2 update_population(Dynamic& dt, Frame&&... frame)
+  {
+    return dt.update_population(std::forward<Frame>(frame)...);
+  }
+  template <class Dynamic, class... Appendix>
+  static void write_checkpoint(const Dynamic& dt, std::ostream& out, const Appendix&... appendix)
+  {
+    dt.write_file(out, appendix...);
+  }
+  template <class Dynamic, class... Appendix>
+  static void read_checkpoint(Dynamic& dt, std::istream& in, const Appendix&... appendix)
+  {
+    dt.read_file(in, appendix...);
+  }
+};
+
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
-
-// Stands for any visitor but the default one.
-namespace Dynamic_Delaunay_triangulations_2::internal {
-struct Heard_visitor_2;
-}
 
 // Compiles what updates of a class of triangulations need, also those with another classifier,
 // repair or policy. With `extern` as the first argument, leaves that to another source file. To be
@@ -118,6 +154,36 @@ struct Heard_visitor_2;
       const Dynamic_Delaunay_triangulations_2::internal::Update_choices_2<                         \
           typename __VA_ARGS__::State>&)
 
+// The kernels that `compiled_updates.h` compiles: of a class template, with the usual kernel and
+// each of these tags, without a visitor and with any.
+#define CGAL_DYNAMIC_DELAUNAY_COMPILE(prefix, Dynamic, tag)                                        \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
+      prefix,                                                                                      \
+      Dynamic<Exact_predicates_inexact_constructions_kernel, Default, With_concurrency_2<tag>>)
+#define CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(prefix, Dynamic, tag)                           \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
+      prefix,                                                                                      \
+      Dynamic<Exact_predicates_inexact_constructions_kernel, Default,                              \
+              With_visitor_2<Dynamic_Delaunay_triangulations_2::internal::Heard_visitor_2>,        \
+              With_concurrency_2<tag>>)
+
+// Says of a class template that all these are compiled elsewhere, where that is so.
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
+#define CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE(Dynamic)
+#else
+#define CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_FOR(Dynamic, tag)                                 \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE(extern, Dynamic, tag);                                             \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(extern, Dynamic, tag);
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PARALLEL
+#define CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE(Dynamic)                                          \
+  CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_FOR(Dynamic, Sequential_tag)
+#else
+#define CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE(Dynamic)                                          \
+  CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_FOR(Dynamic, Sequential_tag)                            \
+  CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_FOR(Dynamic, Parallel_tag)
+#endif
+#endif
+
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
@@ -131,10 +197,9 @@ ids and certificates.
 template <class Derived>
 class Dynamic_triangulation_base_2
 {
+  friend Derived;
+  friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
   using Types = Dynamic_Delaunay_triangulations_2::internal::Triangulation_types_2<Derived>;
-
-  /// \cond
-protected:
   using State = typename Types::State;
   using Update = Dynamic_Delaunay_triangulations_2::internal::Update_2<State>;
   using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<typename State::Point>;
@@ -145,8 +210,11 @@ protected:
   template <class Range>
   using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
   template <class Map>
-  using If_map = typename boost::property_traits<Map>::key_type;
-  /// \endcond
+  using If_map = Dynamic_Delaunay_triangulations_2::internal::If_map<Map>;
+  template <class Iterator>
+  using First_of = Dynamic_Delaunay_triangulations_2::internal::First_of<Iterator>;
+  template <class Iterator>
+  using Second_of = Dynamic_Delaunay_triangulations_2::internal::Second_of<Iterator>;
 
 public:
   /// \name Types
@@ -155,7 +223,7 @@ public:
   /// the traits, or kernel.
   using Geom_traits = typename Types::Geom_traits;
   /// a point.
-  using Point = typename Types::State::Point;
+  using Point = typename State::Point;
   /// the type of ids and counts.
   using size_type = std::size_t;
   /// the classifier.
@@ -174,7 +242,7 @@ public:
   /// whether work is shared among threads.
   using Concurrency_tag = typename Types::Concurrency_tag;
   /// the read-only view that classifiers get.
-  using Frame = Dynamic_frame_2<typename Types::State>;
+  using Frame = Dynamic_frame_2<State>;
 
   /// @}
   /// \name Copies
@@ -186,10 +254,7 @@ public:
   /// copy has its own vertex and face handles, and its sets of the last update are empty. Cost:
   /// linear.
   Dynamic_triangulation_base_2(const Dynamic_triangulation_base_2& other)
-    : m_classifier(other.m_classifier)
-    , m_repair(other.m_repair)
-    , m_policy(other.m_policy)
-    , m_visitor(other.m_visitor)
+    : m_settings(other.m_settings)
     , m_core(other.empty_core())
   {
     m_core->update.copy(other.m_core->state, other.m_core->update);
@@ -221,10 +286,7 @@ public:
   void swap(Dynamic_triangulation_base_2& other)
   {
     using std::swap;
-    swap(m_classifier, other.m_classifier);
-    swap(m_repair, other.m_repair);
-    swap(m_policy, other.m_policy);
-    swap(m_visitor, other.m_visitor);
+    swap(m_settings, other.m_settings);
     swap(m_core, other.m_core);
   }
   /// calls `a.swap(b)`.
@@ -257,32 +319,20 @@ public:
   /// `after_update()`, the update itself is complete. After any other exception the points have
   /// their new positions and the triangulation is not certified; the next update, or `mend()`,
   /// certifies it again. \post `is_certified()`, if the classifier is exact.
-  template <class InputIterator>
-  Update_report_2 update(InputIterator first, InputIterator beyond)
-  {
-    return update(first, beyond, Identity_map());
-  }
-
-  /// takes the positions from a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Update_report_2 update(const Range& points)
-  {
-    return update(std::begin(points), std::end(points));
-  }
-
-  /// reads the positions from the values of the range by `point_map`.
-  /// \tparam PointMap a model of `ReadablePropertyMap` from the range's values to `Point`.
-  template <class InputIterator, class PointMap, class = If_map<PointMap>>
-  Update_report_2 update(InputIterator first, InputIterator beyond, PointMap point_map)
+  /// \tparam PointMap a model of `ReadablePropertyMap` from the range's values to `Point`; by
+  ///   default the values are points.
+  template <class InputIterator, class PointMap = Identity_map, class = If_map<PointMap>>
+  Update_report_2 update(InputIterator first, InputIterator beyond, PointMap point_map = PointMap())
   {
     const Floating_point floating_point;
     m_core->input.stage(first, beyond, point_map);
     return run_frame();
   }
 
-  /// reads the positions by `point_map` from the values of a range with `begin()` and `end()`.
-  template <class Range, class PointMap, class = If_range<Range>, class = If_map<PointMap>>
-  Update_report_2 update(const Range& range, PointMap point_map)
+  /// takes the positions from a range with `begin()` and `end()`.
+  template <class Range, class PointMap = Identity_map, class = If_range<Range>,
+            class = If_map<PointMap>>
+  Update_report_2 update(const Range& range, PointMap point_map = PointMap())
   {
     return update(std::begin(range), std::end(range), point_map);
   }
@@ -294,7 +344,9 @@ public:
   /// around the hull if it changes; if points coincide, also proportional to the number of
   /// duplicates.
   ///
-  /// \tparam InputIterator its values are pairs of an id, which is an integer, and a `Point`.
+  /// \tparam IdMap, PointMap models of `ReadablePropertyMap` from the range's values to ids, which
+  /// are
+  ///   integers, and to `Point`; by default the values are pairs of both.
   /// \throws Unknown_id_error_2 if an id belongs to no point.
   /// \throws Repeated_id_error_2 if an id is given more than once.
   /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 as
@@ -304,30 +356,24 @@ public:
   /// exception the triangulation is not certified; `mend()` certifies it again.
   /// \post `is_certified()` if it was, if the classifier is exact, or in periodic space, if the
   /// range is not empty.
-  template <class InputIterator>
-  Update_report_2 move(InputIterator first, InputIterator beyond)
-  {
-    using Value = typename std::iterator_traits<InputIterator>::value_type;
-    return move(first, beyond, First_of_pair_property_map<Value>(),
-                Second_of_pair_property_map<Value>());
-  }
-
-  /// moves the points of a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Update_report_2 move(const Range& movers)
-  {
-    return move(std::begin(movers), std::end(movers));
-  }
-
-  /// reads ids and points from the values of the range by property maps.
-  template <class InputIterator, class IdMap, class PointMap>
-  Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map, PointMap point_map)
+  template <class InputIterator, class IdMap = First_of<InputIterator>,
+            class PointMap = Second_of<InputIterator>>
+  Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
+                       PointMap point_map = PointMap())
   {
     const Floating_point floating_point;
     Change& change = begin_change();
     Population_input::read_movers(first, beyond, id_map, point_map, m_core->state, change);
     m_core->input.check(change.moved_points, change.moved);
     return run(change);
+  }
+
+  /// moves the points of a range with `begin()` and `end()`.
+  template <class Range, class IdMap = First_of<If_range<Range>>,
+            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
+  Update_report_2 move(const Range& range, IdMap id_map = IdMap(), PointMap point_map = PointMap())
+  {
+    return move(std::begin(range), std::end(range), id_map, point_map);
   }
 
   /// moves one point.
@@ -360,36 +406,17 @@ public:
     return id;
   }
 
-  /// adds the points of the range. Their ids are written to `ids` first. Rebuilds if there is more
-  /// than about one new point for every nine or ten vertices, in periodic space for every three.
-  /// Throws what `insert(p)` throws; then nothing changes, and no id is written.
-  /// \post That of `insert(p)`, if the range is not empty. With a heuristic classifier, an empty
-  /// one changes nothing.
-  template <class InputIterator, class OutputIterator>
-  Update_report_2 insert(InputIterator first, InputIterator beyond, OutputIterator ids)
+  /// adds the points of the range. Their ids are written to `ids` first, if it is given; if no id
+  /// is free, they are the next ones, in the order of the range. Rebuilds if there is more than
+  /// about one new point for every nine or ten vertices, in periodic space for every three. Throws
+  /// what `insert(p)` throws; then nothing changes, and no id is written. \post That of
+  /// `insert(p)`, if the range is not empty. With a heuristic classifier, an empty one changes
+  /// nothing.
+  template <class InputIterator, class OutputIterator = Emptyset_iterator>
+  Update_report_2 insert(InputIterator first, InputIterator beyond,
+                         OutputIterator ids = OutputIterator())
   {
     return insert(first, beyond, Identity_map(), ids);
-  }
-
-  /// adds the points of a range with `begin()` and `end()`.
-  template <class Range, class OutputIterator, class = If_range<Range>>
-  Update_report_2 insert(const Range& points, OutputIterator ids)
-  {
-    return insert(std::begin(points), std::end(points), ids);
-  }
-
-  /// adds points, and does not report ids. If no id is free, they get the next ones in their order.
-  template <class InputIterator>
-  Update_report_2 insert(InputIterator first, InputIterator beyond)
-  {
-    return insert(first, beyond, Emptyset_iterator());
-  }
-
-  /// adds the points of a range with `begin()` and `end()`, and does not report their ids.
-  template <class Range, class = If_range<Range>>
-  Update_report_2 insert(const Range& points)
-  {
-    return insert(std::begin(points), std::end(points));
   }
 
   /// reads the points from the values of the range by `point_map`.
@@ -404,6 +431,20 @@ public:
     for (const Index id : change.coming)
       *ids++ = id;
     return run(change);
+  }
+
+  /// adds the points of a range with `begin()` and `end()`.
+  template <class Range, class OutputIterator = Emptyset_iterator, class = If_range<Range>>
+  Update_report_2 insert(const Range& range, OutputIterator ids = OutputIterator())
+  {
+    return insert(std::begin(range), std::end(range), Identity_map(), ids);
+  }
+
+  /// reads the points by `point_map` from the values of a range with `begin()` and `end()`.
+  template <class Range, class PointMap, class OutputIterator, class = If_range<Range>>
+  Update_report_2 insert(const Range& range, PointMap point_map, OutputIterator ids)
+  {
+    return insert(std::begin(range), std::end(range), point_map, ids);
   }
 
   /// removes a point; its id is free from then on. Cost: proportional to the number of its
@@ -523,15 +564,15 @@ public:
   Frame frame() const { return Frame(m_core->state); }
 
   /// the classifier.
-  const Delaunay_classifier& classifier() const { return m_classifier; }
+  const Delaunay_classifier& classifier() const { return m_settings.classifier; }
   /// the repair.
-  const Delaunay_repair& repair() const { return m_repair; }
+  const Delaunay_repair& repair() const { return m_settings.repair; }
   /// the update policy.
-  const Delaunay_update_policy& policy() const { return m_policy; }
+  const Delaunay_update_policy& policy() const { return m_settings.policy; }
   /// the visitor.
-  const Update_visitor& visitor() const { return m_visitor; }
+  const Update_visitor& visitor() const { return m_settings.visitor; }
   /// the visitor, in order to read and clear what it has recorded.
-  Update_visitor& visitor() { return m_visitor; }
+  Update_visitor& visitor() { return m_settings.visitor; }
 
   /// the Classified set of the last update, as vertices of `frame()`. Empty after a rebuild that
   /// preceded classification, and if vertices have changed their numbers since. Where a
@@ -563,7 +604,7 @@ public:
   /// its vertex.
   void write_checkpoint(std::ostream& out) const
   {
-    write_checkpoint(out, Types::checkpoint_subject, [](auto&) {});
+    write_file(out, Types::checkpoint_subject, [](auto&) {});
   }
 
   /// replaces everything but the settings. In periodic space the cell is replaced, too, and may
@@ -579,7 +620,7 @@ public:
   /// the visitor throws it while it is told what changes.
   void read_checkpoint(std::istream& in)
   {
-    read_checkpoint(
+    read_file(
         in, Types::checkpoint_subject, [](auto&, const auto&) {}, [] {});
   }
 
@@ -598,73 +639,8 @@ public:
   }
 
   /// @}
-  /// \cond
 
-  // For `Dynamic_population_2`: `append` writes additional lines of the file.
-  template <class Append>
-  void write_checkpoint(std::ostream& out, std::string_view subject, const Append& append) const
-  {
-    const Floating_point floating_point;
-    using Writer = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_writer_2<State>;
-    Writer(m_core->state, is_certified(), m_core->update.memory()).write(out, subject, append);
-  }
-
-  // For `Dynamic_population_2`: `read_more` reads the lines that `append` wrote. When the whole
-  // file was accepted, `exchange_more` takes over what was read; it must not throw.
-  template <class ReadAppendix, class Exchange>
-  void read_checkpoint(std::istream& in, std::string_view subject, const ReadAppendix& read_more,
-                       const Exchange& exchange_more)
-  {
-    using Reader = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_reader_2<State>;
-    const Floating_point floating_point;
-    Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2 file(in, subject);
-    Reader reader(file);
-    State state(Types::space(m_core->state));
-    reader.read(state);
-    read_more(file, state.ids());
-    file.finish();
-    Delaunay_classifier classifier = m_classifier;
-    inform_classifier(classifier, Frame(state));
-    m_core->update.tools().context.builder.reserve_for_exchange(state);
-    start_visit();
-    m_classifier = std::move(classifier); // from here on only the visitor may throw
-    m_core->update.exchange(state, reader.is_certified(), reader.memory());
-    exchange_more();
-    finish_visit(is_certified() ? certified_report() : Update_report_2());
-  }
-
-  // Runs a whole frame of `Dynamic_population_2`, in periodic space perhaps with another cell. The
-  // range has a position for every id, also for those that are removed; `gone` has the ids to
-  // remove, all of which exist; `coming` has the points to insert. The ids of these points are
-  // written to `coming_ids`, ascending, unless an exception ends this before all removals are done.
-  template <class InputIterator, class... Cell>
-  Update_report_2 update_population(InputIterator first, InputIterator beyond,
-                                    const std::vector<size_type>& gone,
-                                    const std::vector<Point>& coming,
-                                    std::vector<size_type>& coming_ids, const Cell&... cell)
-  {
-    const Floating_point floating_point;
-    Change& change = begin_change();
-    Population_input::read_newcomers(coming.begin(), coming.end(), Identity_map(), m_core->state,
-                                     change);
-    change.is_frame = true;
-    change.gone.assign(gone.begin(), gone.end());
-    change.coming = m_core->state.ids().next_ids(coming.size(), change.gone);
-    const std::vector<size_type> ids(change.coming.begin(), change.coming.end());
-    m_core->input.leave_out(change.gone);
-    m_core->input.stage(first, beyond, Identity_map(), cell...);
-    try {
-      const Update_report_2 report = run(change);
-      coming_ids = ids;
-      return report;
-    } catch (...) {
-      if (m_core->update.has_removed())
-        coming_ids = ids;
-      throw;
-    }
-  }
-
-protected:
+private:
   // Must not move in memory: its parts refer to each other.
   struct Core
   {
@@ -681,10 +657,7 @@ protected:
   };
 
   Dynamic_triangulation_base_2(const Settings& settings, const typename Types::Space& space)
-    : m_classifier(settings.classifier)
-    , m_repair(settings.repair)
-    , m_policy(settings.policy)
-    , m_visitor(settings.visitor)
+    : m_settings(settings)
     , m_core(std::make_unique<Core>(space, settings.engines))
   {
   }
@@ -727,20 +700,75 @@ protected:
     return m_core->state.ids().vertex(Index(id));
   }
 
-  Delaunay_classifier m_classifier;
-  Delaunay_repair m_repair;
-  Delaunay_update_policy m_policy;
-  Update_visitor m_visitor;
-  std::unique_ptr<Core> m_core;
+  // Runs a whole frame of `Dynamic_population_2`, in periodic space perhaps with another cell.
+  // There is a position for every id, also for those that are removed; `gone` has the ids to
+  // remove, all of which exist; `coming` has the points to insert. The ids of these points are
+  // written to `coming_ids`, ascending, unless an exception ends this before all removals are done.
+  template <class... Cell>
+  Update_report_2 update_population(const std::vector<Point>& positions,
+                                    const std::vector<size_type>& gone,
+                                    const std::vector<Point>& coming,
+                                    std::vector<size_type>& coming_ids, const Cell&... cell)
+  {
+    const Floating_point floating_point;
+    Change& change = begin_change();
+    Population_input::read_newcomers(coming.begin(), coming.end(), Identity_map(), m_core->state,
+                                     change);
+    change.is_frame = true;
+    change.gone.assign(gone.begin(), gone.end());
+    change.coming = m_core->state.ids().next_ids(coming.size(), change.gone);
+    const std::vector<size_type> ids(change.coming.begin(), change.coming.end());
+    m_core->input.leave_out(change.gone);
+    m_core->input.stage(positions.begin(), positions.end(), Identity_map(), cell...);
+    try {
+      const Update_report_2 report = run(change);
+      coming_ids = ids;
+      return report;
+    } catch (...) {
+      if (m_core->update.has_removed())
+        coming_ids = ids;
+      throw;
+    }
+  }
 
-private:
+  // Writes a checkpoint of this kind. `append` writes additional lines of the file.
+  template <class Append>
+  void write_file(std::ostream& out, std::string_view subject, const Append& append) const
+  {
+    const Floating_point floating_point;
+    using Writer = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_writer_2<State>;
+    Writer(m_core->state, is_certified(), m_core->update.memory()).write(out, subject, append);
+  }
+
+  // Reads such a checkpoint. `read_more` reads the lines that `append` wrote. When the whole file
+  // was accepted, `exchange_more` takes over what was read; it must not throw.
+  template <class ReadAppendix, class Exchange>
+  void read_file(std::istream& in, std::string_view subject, const ReadAppendix& read_more,
+                 const Exchange& exchange_more)
+  {
+    using Reader = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_reader_2<State>;
+    const Floating_point floating_point;
+    Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2 file(in, subject);
+    Reader reader(file);
+    State state(Types::space(m_core->state));
+    reader.read(state);
+    read_more(file, state.ids());
+    file.finish();
+    Delaunay_classifier classifier = m_settings.classifier;
+    inform_classifier(classifier, Frame(state));
+    m_core->update.tools().context.builder.reserve_for_exchange(state);
+    start_visit();
+    m_settings.classifier = std::move(classifier); // from here on only the visitor may throw
+    m_core->update.exchange(state, reader.is_certified(), reader.memory());
+    exchange_more();
+    finish_visit(is_certified() ? certified_report() : Update_report_2());
+  }
+
   // Takes everything from the other triangulation, which gets an empty core. Classifier, repair and
   // policy are copied, not moved, since both objects go on using them.
   Dynamic_triangulation_base_2(Dynamic_triangulation_base_2& other, std::unique_ptr<Core> empty)
-    : m_classifier(other.m_classifier)
-    , m_repair(other.m_repair)
-    , m_policy(other.m_policy)
-    , m_visitor(std::move(other.m_visitor))
+    : m_settings(other.m_settings.classifier, other.m_settings.repair, other.m_settings.engines,
+                 other.m_settings.policy, std::move(other.m_settings.visitor))
     , m_core(std::exchange(other.m_core, std::move(empty)))
   {
   }
@@ -753,8 +781,8 @@ private:
   // Calls `before_update()`; if that throws, nothing has changed yet.
   void start_visit()
   {
-    m_visitor.before_update(derived());
-    m_core->update.tools().context.editor.start_visit(m_visitor, &derived());
+    m_settings.visitor.before_update(derived());
+    m_core->update.tools().context.editor.start_visit(m_settings.visitor, &derived());
   }
 
   // Ends the visit after a change. In periodic space the visitor is told of all changes here; in
@@ -762,7 +790,7 @@ private:
   void finish_visit(const Update_report_2& report)
   {
     m_core->update.tools().context.editor.finish_visit();
-    m_visitor.after_update(derived(), report);
+    m_settings.visitor.after_update(derived(), report);
   }
 
   Update_report_2 run_phases(Change& change)
@@ -770,12 +798,15 @@ private:
     Update_report_2 report = m_core->update.run(change, m_core->input, choices());
     report.certified = is_certified();
     if (change.is_frame)
-      m_policy.after_update(frame(), report);
+      m_settings.policy.after_update(frame(), report);
     m_core->input.forget_previous();
     return report;
   }
 
-  typename Update::Choices choices() { return {m_classifier, m_repair, m_policy}; }
+  typename Update::Choices choices()
+  {
+    return {m_settings.classifier, m_settings.repair, m_settings.policy};
+  }
 
   const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
@@ -788,7 +819,8 @@ private:
     return report;
   }
 
-  /// \endcond
+  Settings m_settings;
+  std::unique_ptr<Core> m_core;
 };
 
 } // namespace CGAL

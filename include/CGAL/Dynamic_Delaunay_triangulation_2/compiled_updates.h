@@ -33,29 +33,31 @@
 namespace CGAL {
 
 #if CGAL_DYNAMIC_DELAUNAY_HAS_PART(1)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE(, Sequential_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE(, Dynamic_Delaunay_triangulation_2, Sequential_tag);
 #endif
 #if CGAL_DYNAMIC_DELAUNAY_HAS_PART(2)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE_WITH_VISITOR(, Sequential_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(, Dynamic_Delaunay_triangulation_2, Sequential_tag);
 #endif
 #if CGAL_DYNAMIC_DELAUNAY_HAS_PART(3)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE(, Sequential_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE(, Dynamic_periodic_Delaunay_triangulation_2, Sequential_tag);
 #endif
 #if CGAL_DYNAMIC_DELAUNAY_HAS_PART(4)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(, Sequential_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(, Dynamic_periodic_Delaunay_triangulation_2,
+                                           Sequential_tag);
 #endif
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PARALLEL
 #if CGAL_DYNAMIC_DELAUNAY_HAS_PART(5)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE(, Parallel_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE(, Dynamic_Delaunay_triangulation_2, Parallel_tag);
 #endif
 #if CGAL_DYNAMIC_DELAUNAY_HAS_PART(6)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PLANE_WITH_VISITOR(, Parallel_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(, Dynamic_Delaunay_triangulation_2, Parallel_tag);
 #endif
 #if CGAL_DYNAMIC_DELAUNAY_HAS_PART(7)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE(, Parallel_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE(, Dynamic_periodic_Delaunay_triangulation_2, Parallel_tag);
 #endif
 #if CGAL_DYNAMIC_DELAUNAY_HAS_PART(8)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_PERIODIC_SPACE_WITH_VISITOR(, Parallel_tag);
+CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(, Dynamic_periodic_Delaunay_triangulation_2,
+                                           Parallel_tag);
 #endif
 #endif
 

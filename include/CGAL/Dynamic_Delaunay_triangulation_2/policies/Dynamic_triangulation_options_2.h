@@ -16,11 +16,11 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 The repair of a triangulation: an option of `Dynamic_Delaunay_triangulation_2` and
-`Dynamic_periodic_Delaunay_triangulation_2`. Options follow the classifier, in any order, each at
-most once.
+`Dynamic_periodic_Delaunay_triangulation_2`, which say what options there are. Options follow the
+classifier, in any order, each at most once. With `Default` as its argument, an option is as if it
+were not given.
 
-\tparam Repair a model of `DelaunayRepair_2`;
-  `Default` as if the option were not given.
+\tparam Repair a model of `DelaunayRepair_2`.
 */
 template <class Repair>
 struct With_repair_2
@@ -30,11 +30,10 @@ struct With_repair_2
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-The data structure of a triangulation in the plane: an option of `Dynamic_Delaunay_triangulation_2`.
-Options follow the classifier, in any order, each at most once.
+The data structure of a triangulation in the plane: an option, as `With_repair_2`.
 
 \tparam Tds an `Indexed_triangulation_data_structure_2` of its traits, with data of the user in its
-vertices or faces; `Default` as if the option were not given.
+vertices or faces.
 */
 template <class Tds>
 struct With_data_structure_2
@@ -44,12 +43,9 @@ struct With_data_structure_2
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-The update policy of a triangulation: an option of `Dynamic_Delaunay_triangulation_2` and
-`Dynamic_periodic_Delaunay_triangulation_2`. Options follow the classifier, in any order, each at
-most once.
+The update policy of a triangulation: an option, as `With_repair_2`.
 
-\tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`;
-  `Default` as if the option were not given.
+\tparam UpdatePolicy a model of `DelaunayUpdatePolicy_2`.
 */
 template <class UpdatePolicy>
 struct With_policy_2
@@ -59,12 +55,10 @@ struct With_policy_2
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-The visitor of a triangulation: an option of `Dynamic_Delaunay_triangulation_2` and
-`Dynamic_periodic_Delaunay_triangulation_2`. Options follow the classifier, in any order, each at
-most once.
+The visitor of a triangulation: an option, as `With_repair_2`.
 
 \tparam Visitor a model of `DelaunayUpdateVisitor_2`, in periodic space of
-`PeriodicUpdateVisitor_2`; `Default` as if the option were not given.
+`PeriodicUpdateVisitor_2`.
 */
 template <class Visitor>
 struct With_visitor_2
@@ -74,12 +68,9 @@ struct With_visitor_2
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-How a triangulation shares its work among threads: an option of `Dynamic_Delaunay_triangulation_2`
-and `Dynamic_periodic_Delaunay_triangulation_2`. Options follow the classifier, in any order, each
-at most once.
+How a triangulation shares its work among threads: an option, as `With_repair_2`.
 
-\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`;
-  `Default` as if the option were not given.
+\tparam ConcurrencyTag `Sequential_tag`, `Parallel_tag` or `Parallel_if_available_tag`.
 */
 template <class ConcurrencyTag>
 struct With_concurrency_2
@@ -113,20 +104,18 @@ constexpr std::size_t number_of_options = Option_2<Kind, void, Options...>::numb
 template <class... Options>
 struct Options_check_2
 {
-  static_assert(number_of_options<With_repair_2, Options...> +
-                        number_of_options<With_data_structure_2, Options...> +
-                        number_of_options<With_policy_2, Options...> +
-                        number_of_options<With_visitor_2, Options...> +
-                        number_of_options<With_concurrency_2, Options...> ==
+  static constexpr std::size_t numbers[] = {number_of_options<With_repair_2, Options...>,
+                                            number_of_options<With_data_structure_2, Options...>,
+                                            number_of_options<With_policy_2, Options...>,
+                                            number_of_options<With_visitor_2, Options...>,
+                                            number_of_options<With_concurrency_2, Options...>};
+  static_assert(numbers[0] + numbers[1] + numbers[2] + numbers[3] + numbers[4] ==
                     sizeof...(Options),
                 "after the classifier, a triangulation takes the options With_repair_2<>, "
                 "With_data_structure_2<>, With_policy_2<>, With_visitor_2<> and "
                 "With_concurrency_2<>, and nothing else");
-  static_assert(number_of_options<With_repair_2, Options...> <= 1 &&
-                    number_of_options<With_data_structure_2, Options...> <= 1 &&
-                    number_of_options<With_policy_2, Options...> <= 1 &&
-                    number_of_options<With_visitor_2, Options...> <= 1 &&
-                    number_of_options<With_concurrency_2, Options...> <= 1,
+  static_assert(numbers[0] <= 1 && numbers[1] <= 1 && numbers[2] <= 1 && numbers[3] <= 1 &&
+                    numbers[4] <= 1,
                 "an option of a triangulation is given twice");
 };
 

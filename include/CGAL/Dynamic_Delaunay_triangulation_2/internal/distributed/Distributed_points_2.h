@@ -8,6 +8,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/Dynamic_triangulation_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_question_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_ranks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/zones/Distributed_image_2.h>
@@ -238,7 +239,7 @@ public:
         read_part(message, gone, coming);
     std::vector<std::size_t> places;
     const Update_report_2 report =
-        m_dt.update_population(m_points.begin(), m_points.end(), gone, points_of(coming), places);
+        Triangulation_access_2::update_population(m_dt, m_points, gone, points_of(coming), places);
     note_ghosts(coming, places);
     return report;
   }

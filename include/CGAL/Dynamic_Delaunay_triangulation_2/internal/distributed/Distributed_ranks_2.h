@@ -217,6 +217,16 @@ private:
   std::size_t m_gathered_bytes = 0;
 };
 
+// What other headers of the package use of distributed triangulations, and programs do not.
+struct Distributed_access_2
+{
+  template <class Distributed>
+  static auto& ranks(Distributed& dt)
+  {
+    return dt.m_core.ranks();
+  }
+};
+
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_DISTRIBUTED_DISTRIBUTED_RANKS_2_H
