@@ -26,7 +26,6 @@ void write(const Frame& frame)
   state.m_visitor_calls;
   state.m_positions;
   state.arrays().flip(0);
-  state.all_positions().move(1, Kernel::Point_2(0, 0));
   state.ids().reset(0);
 }
 
@@ -36,7 +35,6 @@ void write(const Plane& plane, const Torus& torus)
   write(torus.frame());
   plane.frame().state().m_triangulation;
   plane.frame().state().m_storage;
-  plane.frame().state().storage().writable_arrays();
   plane.triangulation().tds().create_vertex();
   plane.tds().m_storage;
   torus.frame().state().m_arrays;

@@ -148,8 +148,6 @@ public:
   const Argument& argument() const { return m_torus.cell(); }
   const Torus_2& torus() const { return m_torus; }
   const Halfedge_arrays_2& arrays() const { return m_arrays; }
-  const std::vector<Periodic_shift_2>& shifts() const { return m_shifts; }
-  const Writable_positions_2<Point>& all_positions() const { return m_positions; }
   const std::vector<Position_2>& positions() const { return m_positions.positions(); }
   Index number_of_vertices() const { return Index(m_points.size()) - 1; }
   // There are faces as soon as there is a vertex.

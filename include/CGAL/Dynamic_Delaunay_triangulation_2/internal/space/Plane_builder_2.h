@@ -123,11 +123,9 @@ public:
   void copy(const State& other)
   {
     CGAL_precondition(m_state.number_of_vertices() == 0);
-    m_storage.copy(other.storage());
-    set_dimension(other.triangulation().dimension());
+    m_writer.copy(other);
     m_writer.ids() = other.ids();
     m_writer.changes() = other.changes();
-    m_positions.copy(other.all_positions());
   }
 
   // Reserves the memory that exchange() needs.
@@ -143,14 +141,9 @@ public:
   {
     tell_of_faces_before();
     for_each_vertex([this](Vertex_index v) { m_editing.before_vertex_removal(v); });
-    const Writer others(other);
-    const int dimension = m_state.triangulation().dimension();
-    set_dimension(other.triangulation().dimension());
-    others.set_dimension(dimension);
-    m_storage.exchange(others.storage());
-    std::swap(m_writer.ids(), others.ids());
-    std::swap(m_writer.changes(), others.changes());
-    m_positions.exchange_all_but_points(others.positions());
+    m_writer.exchange(other);
+    std::swap(m_writer.ids(), Writer(other).ids());
+    std::swap(m_writer.changes(), Writer(other).changes());
     for_each_vertex([this](Vertex_index v) { m_editing.after_vertex_creation(v); });
     tell_of_faces_after();
   }

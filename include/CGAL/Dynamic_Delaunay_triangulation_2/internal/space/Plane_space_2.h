@@ -85,7 +85,6 @@ public:
   // TOPOLOGY ------------------------------------------------------------------------------------
 
   const Triangulation& triangulation() const { return m_triangulation; }
-  const Storage& storage() const { return m_storage; }
   const Halfedge_arrays_2& arrays() const { return m_storage.arrays(); }
   // Whether the user has changed anything through handles.
   bool is_written_by_handles() const { return m_storage.is_written_by_handles(); }
@@ -150,7 +149,6 @@ public:
 
   // POSITIONS -----------------------------------------------------------------------------------
 
-  const Writable_positions_2<Point>& all_positions() const { return m_positions; }
   const std::vector<Position_2>& positions() const { return m_positions.positions(); }
   decltype(auto) point(Vertex_index v) const { return m_positions.point(v); }
   bool have_points_moved() const { return m_positions.have_moved(); }
@@ -242,6 +240,23 @@ public:
     void set_dimension(int dimension) const
     {
       m_space.m_triangulation.tds().set_dimension(dimension);
+    }
+
+    // Copies everything that is kept between calls.
+    void copy(const Plane_space_2& other) const
+    {
+      storage().copy(other.m_storage);
+      set_dimension(other.m_triangulation.dimension());
+      positions().copy(other.m_positions);
+    }
+    // Exchanges that, but for data of users, which are then as in new elements.
+    void exchange(Plane_space_2& other) const
+    {
+      const int dimension = m_space.m_triangulation.dimension();
+      set_dimension(other.m_triangulation.dimension());
+      Writer(other).set_dimension(dimension);
+      storage().exchange(other.m_storage);
+      positions().exchange_all_but_points(other.m_positions);
     }
 
   private:
