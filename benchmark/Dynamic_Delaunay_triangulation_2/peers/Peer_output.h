@@ -42,7 +42,7 @@ class Frame_truth
       run::Static_triangulation, false>;
 
 public:
-  using Place = Reference::Place;
+  using Place = Reference::Site;
   using Edge = Reference::Edge; // two places
 
   explicit Frame_truth(const Points& points)
@@ -50,14 +50,14 @@ public:
     , m_reference(m_triangulation)
   {
     for (const Point& point : points) {
-      m_place_of_id.push_back(m_reference.place(point));
+      m_place_of_id.push_back(m_reference.site(point));
     }
   }
   Frame_truth(const Frame_truth&) = delete;
   Frame_truth& operator=(const Frame_truth&) = delete;
 
   Place place(std::size_t id) const { return m_place_of_id.at(id); }
-  Place place(const Point& point) const { return m_reference.place(point); }
+  Place place(const Point& point) const { return m_reference.site(point); }
   static Edge edge(const Place& p, const Place& q) { return Reference::edge(p, q); }
   std::size_t number_of_faces() const { return m_triangulation.number_of_faces(); }
 

@@ -12,7 +12,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Rounded_face_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/State_with_place_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/number_utils.h>
@@ -31,17 +31,20 @@ template <class Dynamic>
 class Radius_test_2
 {
   using Arrays = Halfedge_arrays_2;
-  using State = State_with_place_2<Dynamic>;
+  using State = State_of_2<Dynamic>;
   using Site = typename State::Site;
-  using Exact = typename State::Exact;
+  using Geometry = Site_geometry_2<State>;
+  using Exact = typename Geometry::Exact;
   using Vector = Exact_vector_2<Exact>;
+  static_assert(Geometry::has_euclidean_circles,
+                "these traits have circles of their own, and areas are those of Euclidean ones");
 
 public:
   // `square` is that of the radius. Throws unless the triangulation is certified, and if the square
   // is negative or not finite.
   template <class FT>
   Radius_test_2(const Dynamic& dt, const FT& square)
-    : m_state(dt)
+    : m_geometry(certified_state(dt))
     , m_square(CGAL::to_double(square))
     , m_exact_square(Exact_number_2<FT>::of(checked(square)))
     , m_is_rounded(m_exact_square != Exact(m_square))
@@ -51,10 +54,10 @@ public:
   // Whether the face is not outside, and its circle is small enough.
   bool has_face(Face_index f) const
   {
-    if (m_state.is_outside(f))
+    if (is_outside(m_geometry, f))
       return false;
     const std::array<Site, 3> corners = corners_at(Arrays::halfedge_in(f, 0));
-    const Rounded_face_2 face(m_state, corners);
+    const Rounded_face_2 face(m_geometry, corners[0], corners[1], corners[2]);
     const double excess = face.squared_radius() - m_square;
     if (!m_is_rounded && std::abs(excess) > 1.1 * face.error_of_squared_radius())
       return excess < 0;
@@ -65,8 +68,9 @@ public:
   // a point inside.
   bool has_edge(Halfedge_index h) const
   {
-    return !m_state.is_outside_at(h) && is_short(h) && !is_attached(h) &&
-           !is_attached(m_state.arrays().twin(h));
+    const auto [apex, source, target] = corners_at(h);
+    return m_geometry.are_inside(source, target) && is_short(source, target) && !is_attached(h) &&
+           !is_attached(state().arrays().twin(h));
   }
 
 private:
@@ -77,58 +81,55 @@ private:
     return square;
   }
 
+  const State& state() const { return m_geometry.state(); }
+
   // The corners of the half-edge's face: the apex of the half-edge, its source and its target.
   std::array<Site, 3> corners_at(Halfedge_index h) const
   {
-    const auto chart = m_state.chart_at(h);
-    return {m_state.site_in(h, chart), m_state.site_in(Arrays::next(h), chart),
-            m_state.site_in(Arrays::previous(h), chart)};
+    const auto chart = state().chart_at(h);
+    return {state().site_in(h, chart), state().site_in(Arrays::next(h), chart),
+            state().site_in(Arrays::previous(h), chart)};
   }
 
   // Whether a^2 b^2 c^2 <= 4 D^2 square, for the sides and the doubled area D of the face.
   BOOST_NOINLINE bool has_face_exactly(const std::array<Site, 3>& corners) const
   {
-    const Vector a = m_state.exact_vector(corners[0], corners[1]);
-    const Vector b = m_state.exact_vector(corners[1], corners[2]);
-    const Vector c = m_state.exact_vector(corners[2], corners[0]);
-    const Exact doubled_area = a.x * b.y - a.y * b.x;
-    return Exact(exact_dot(a, a) * exact_dot(b, b) * exact_dot(c, c)) <=
+    const Vector a = m_geometry.exact_vector(corners[0], corners[1]);
+    const Vector b = m_geometry.exact_vector(corners[1], corners[2]);
+    const Vector c = m_geometry.exact_vector(corners[2], corners[0]);
+    const Exact doubled_area = cross(a, b);
+    return Exact(dot(a, a) * dot(b, b) * dot(c, c)) <=
            Exact(Exact(4) * doubled_area * doubled_area * m_exact_square);
   }
 
-  bool is_short(Halfedge_index h) const
+  bool is_short(const Site& source, const Site& target) const
   {
-    const auto [apex, source, target] = corners_at(h);
     double e = 0;
-    const Position_2 v = m_state.vector(source, target, e);
+    const Position_2 v = m_geometry.vector(source, target, e);
     const double excess = dot(v, v) - 4 * m_square;
-    if (!m_is_rounded && std::abs(excess) > error_of_product(v, v, e) + underflow)
+    if (!m_is_rounded && std::abs(excess) > error_of_product(v, v, e))
       return excess < 0;
-    const Vector exact = m_state.exact_vector(source, target);
-    return exact_dot(exact, exact) <= Exact(Exact(4) * m_exact_square);
+    const Vector exact = m_geometry.exact_vector(source, target);
+    return dot(exact, exact) <= Exact(Exact(4) * m_exact_square);
   }
 
   // Whether the apex is inside of the circle on the half-edge as a diameter: then the angle at the
   // apex is obtuse. False if the face is outside.
   bool is_attached(Halfedge_index h) const
   {
-    if (m_state.is_outside(Arrays::face_of(h)))
+    if (is_outside(m_geometry, Arrays::face_of(h)))
       return false;
     const auto [apex, source, target] = corners_at(h);
     double e = 0;
-    const Position_2 v = m_state.vector(apex, source, e), w = m_state.vector(apex, target, e);
+    const Position_2 v = m_geometry.vector(apex, source, e), w = m_geometry.vector(apex, target, e);
     const double product = dot(v, w);
-    if (std::abs(product) > error_of_product(v, w, e) + underflow)
+    if (std::abs(product) > error_of_product(v, w, e))
       return product < 0;
-    return exact_dot(m_state.exact_vector(apex, source), m_state.exact_vector(apex, target)) <
+    return dot(m_geometry.exact_vector(apex, source), m_geometry.exact_vector(apex, target)) <
            Exact(0);
   }
 
-  static Exact exact_dot(const Vector& v, const Vector& w) { return v.x * w.x + v.y * w.y; }
-
-  static constexpr double underflow = 1e-300; // takes less than this from a sum of products
-
-  const State m_state;
+  const Geometry m_geometry;
   const double m_square;
   const Exact m_exact_square;
   const bool m_is_rounded;

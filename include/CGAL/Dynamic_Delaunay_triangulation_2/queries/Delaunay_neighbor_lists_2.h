@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_geometry_2.h>
 #include <CGAL/Iterator_range.h>
 #include <CGAL/Periodic_cell_2.h>
 
@@ -76,7 +77,7 @@ public:
   void compute(const Dynamic& dt)
   {
     reserve_extra(dt);
-    note_duplicates(dt.frame());
+    note_duplicates(dt);
     find_offsets(dt);
     m_neighbors.resize(m_offsets.back());
     m_shifts.resize(Dynamic::Frame::is_periodic ? m_offsets.back() : 0);
@@ -106,10 +107,10 @@ public:
   Neighbors neighbors(size_type id) const
   {
     CGAL_precondition(id < number_of_ids());
-    const auto place = [&](size_type i) {
+    const auto begin = [&](size_type i) {
       return m_neighbors.begin() + std::vector<Id>::difference_type(m_offsets[i]);
     };
-    return Neighbors(place(id), place(id + 1));
+    return Neighbors(begin(id), begin(id + 1));
   }
 
   /// the number of neighbors of a point. \pre `id < number_of_ids()`
@@ -155,26 +156,20 @@ private:
   }
 
   // Sorts the duplicates by their representatives, then by their ids.
-  template <class Frame>
-  void note_duplicates(const Frame& frame)
+  template <class Dynamic>
+  void note_duplicates(const Dynamic& dt)
   {
-    frame.for_each_duplicate([&](Id id) {
-      m_duplicates.push_back({frame.id(frame.vertex(id)), id, shift_of_duplicate(frame, id)});
-    });
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const auto& state = dt.frame().state();
+    const Site_geometry_2<State_of_2<Dynamic>> geometry(state);
+    for (const auto& [id, point] : state.ids().duplicates()) {
+      const auto v = state.ids().vertex(id);
+      m_duplicates.push_back({state.ids().representative(v), id, geometry.shift_to(v, point)});
+    }
     std::sort(m_duplicates.begin(), m_duplicates.end(), [](const Duplicate& g, const Duplicate& h) {
       return g.representative != h.representative ? g.representative < h.representative
                                                   : g.id < h.id;
     });
-  }
-
-  template <class Frame>
-  static Periodic_shift_2 shift_of_duplicate(const Frame& frame, Id id)
-  {
-    if constexpr (Frame::is_periodic) {
-      const auto p = frame.state().point_of_id(id);
-      return frame.state().shift_of_step({p.x(), p.y()}, frame.position(frame.vertex(id)));
-    } else
-      return {0, 0};
   }
 
   template <class Dynamic>
@@ -199,29 +194,29 @@ private:
     Frame::Parts::for_each(
         frame.number_of_vertices(), [&](size_type, size_type first, size_type beyond) {
           for (Id v = Id(first) + 1; v <= beyond; ++v) {
-            size_type place = m_offsets[frame.id(v)];
+            size_type entry = m_offsets[frame.id(v)];
             frame.state().for_each_finite_neighbor(
-                v, [&](Id w, const auto&... shift) { write(place++, frame.id(w), shift...); });
+                v, [&](Id w, const auto&... shift) { write(entry++, frame.id(w), shift...); });
           }
         });
   }
 
   // Writes a neighbor, and in periodic space its shift.
   template <class... Shift>
-  void write(size_type place, Id neighbor, const Shift&... shift)
+  void write(size_type entry, Id neighbor, const Shift&... shift)
   {
-    m_neighbors[place] = neighbor;
-    ((m_shifts[place] = shift), ...);
+    m_neighbors[entry] = neighbor;
+    ((m_shifts[entry] = shift), ...);
   }
 
   void write_duplicates()
   {
-    size_type place = 0;
+    size_type entry = 0;
     for (auto duplicate = m_duplicates.rbegin(); duplicate != m_duplicates.rend(); ++duplicate) {
       if (duplicate == m_duplicates.rbegin() ||
           duplicate->representative != std::prev(duplicate)->representative)
-        place = m_offsets[duplicate->representative + size_type(1)];
-      const size_type there = --place, back = m_offsets[duplicate->id];
+        entry = m_offsets[duplicate->representative + size_type(1)];
+      const size_type there = --entry, back = m_offsets[duplicate->id];
       m_neighbors[there] = duplicate->id;
       m_neighbors[back] = duplicate->representative;
       if (!m_shifts.empty()) {

@@ -6,7 +6,11 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_space_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_parts.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
@@ -16,6 +20,8 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -23,15 +29,15 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-Finds the points that are nearest to a place or to a point, or within a radius of it, in the plane,
-in a periodic cell or in a slab. It uses the triangulation as it is, without another search
-structure and without a copy. The answers are exact, and do not depend on which diagonals the
-triangulation has where points are cocircular.
+Finds the points that are nearest to a *query point*, which may be anywhere, or to one of the
+points, or within a radius of it, in the plane, in a periodic cell or in a slab. It uses the
+triangulation as it is, without another search structure and without a copy. The answers are exact,
+and do not depend on which diagonals the triangulation has where points are cocircular.
 
 In the plane an answer is the id of a point. In periodic space it is an image of a point: its id and
 a shift. The image is at `point(id)` plus `shift[0]` times the cell's first vector plus `shift[1]`
-times its second one, relative to the place as it is given, wrapped or not. Answers are exact for
-these images, which are never rounded. One point can have several images in a circle, or none.
+times its second one, relative to the query point as it is given, wrapped or not. Answers are exact
+for these images, which are never rounded. One point can have several images in a circle, or none.
 
 Points that coincide have the same distance, and each of them counts. The ids are those of the
 triangulation. For a `Dynamic_population_2`, `population.id(user_id)` and `population.user_id(id)`
@@ -40,8 +46,8 @@ convert between these and the user's ids.
 An object refers to the triangulation, which must keep its address, but may change. Queries change
 nothing visible, but they share memory of the object: several threads must not use the same object
 at once, even if it is constant. Threads that query at the same time need one object each. Queries
-for many places at once need only one call, whose work threads share if the triangulation has the
-`Parallel_tag`.
+for many query points at once need only one call, whose work threads share if the triangulation has
+the `Parallel_tag`.
 
 The manual proves that the answers are right, \ref DynamicDelaunaySubsection_Queries.
 
@@ -55,8 +61,11 @@ template <class Dynamic>
 class Delaunay_point_queries_2
 {
   using Index = Dynamic_Delaunay_triangulations_2::Index;
-  using Space = Dynamic_Delaunay_triangulations_2::internal::Query_space_2<Dynamic>;
-  using Site = typename Space::Site;
+  using State = Dynamic_Delaunay_triangulations_2::internal::State_of_2<Dynamic>;
+  using Query = Dynamic_Delaunay_triangulations_2::internal::Query_2<State>;
+  using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
+  using Site = typename State::Site;
+  static constexpr bool is_periodic = State::is_periodic;
 
 public:
   /// \name Types
@@ -67,13 +76,13 @@ public:
   /// a point.
   using Point = typename Dynamic::Point;
   /// a squared distance: the number type of `Geom_traits`; in periodic space `double`.
-  using FT = typename Space::FT;
+  using FT = std::conditional_t<is_periodic, double, typename Dynamic::Geom_traits::FT>;
   /// the type of ids.
   using size_type = std::size_t;
   /// what is found: an id; in periodic space an image, which is a
   /// `std::pair<size_type, Periodic_shift_2>`. Images are in the order of ids, then of the first
   /// numbers of their shifts, then of the second ones.
-  using Answer = typename Space::Answer;
+  using Answer = std::conditional_t<is_periodic, std::pair<size_type, Periodic_shift_2>, size_type>;
 
   /// @}
   /// \name Creation
@@ -88,13 +97,13 @@ public:
   /// @}
   /// \name Queries
   /// All queries throw `Uncertified_triangulation_error_2` unless the triangulation is certified;
-  /// only an empty range of places needs no certificate. If points coincide, each query also takes
-  /// time proportional to the number of duplicates.
+  /// only an empty range of query points needs no certificate. If points coincide, each query also
+  /// takes time proportional to the number of duplicates.
   ///
-  /// Queries for places throw `Non_finite_coordinate_error_2` if a coordinate is NaN or infinite,
-  /// `Coordinate_range_error_2` if it is too large for this program, and in periodic space
-  /// `Periodic_range_error_2` if the place is 2<sup>20</sup> cells or more from the origin. For a
-  /// range of places, `id()` of these errors is the number of the place.
+  /// Those for query points throw `Non_finite_coordinate_error_2` if a coordinate is NaN or
+  /// infinite, `Coordinate_range_error_2` if it is too large for this program, and in periodic
+  /// space `Periodic_range_error_2` if the query point is 2<sup>20</sup> cells or more from the
+  /// origin. For a range of query points, `id()` of these errors is the number of the query point.
   ///
   /// Queries within a radius take its square, which can be exact where the radius is not, and throw
   /// `Parameter_error_2` if that is negative or not a finite number. Queries with an
@@ -109,11 +118,11 @@ public:
   /// is not thin; less if the answer is near the last one.
   std::optional<Answer> nearest(const Point& p) const { return find_nearest(p, 0); }
 
-  /// writes `nearest(p)` for each place p of a range, in their order.
+  /// writes `nearest(p)` for each query point p of a range, in their order.
   ///
-  /// Cost: that of the queries, which threads share, but those for places that follow each other in
+  /// Cost: that of the queries, which threads share, but those for points that follow each other in
   /// space are faster.
-  /// \param first, beyond the range of places.
+  /// \param first, beyond the range of query points.
   /// \param answers where to write; nothing is written if this throws.
   /// \tparam ForwardIterator has the value type `Point`.
   /// \tparam OutputIterator takes values of `std::optional<Answer>`.
@@ -123,11 +132,11 @@ public:
                          OutputIterator answers) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const std::vector<Point> places(first, beyond);
-    std::vector<std::optional<Answer>> found(places.size());
-    query_in_parts<Parts>(*this, places.size(),
+    const std::vector<Point> points(first, beyond);
+    std::vector<std::optional<Answer>> found(points.size());
+    query_in_parts<Parts>(*this, points.size(),
                           [&](const Delaunay_point_queries_2& queries, std::size_t i, std::size_t) {
-                            found[i] = queries.find_nearest(places[i], i);
+                            found[i] = queries.find_nearest(points[i], i);
                           });
     return std::copy(found.begin(), found.end(), answers);
   }
@@ -141,21 +150,22 @@ public:
   std::optional<Answer> nearest_neighbor(size_type id) const
   {
     const Point& p = m_dt->point(id);
-    const Space space(*m_dt, p);
-    const Answer asking = Space::answer(id);
-    const Site v = space.site(vertex(id));
-    start_with(space, v);
-    if (const std::optional<Answer> other = smallest_found(space, asking))
+    const Floating_point floating_point;
+    const Query query = query_at(p, 0);
+    const Site v = query.site(m_dt->frame().vertex(id));
+    const Answer asking = answer(id, Dynamic_Delaunay_triangulations_2::internal::no_shift);
+    start_with(query, v);
+    if (const std::optional<Answer> other = smallest_found(query, asking))
       return other;
-    space.clear(m_found);
-    space.for_each_neighbor(v, [&](const Site& w) {
-      const Comparison_result result = m_found.empty() ? EQUAL : space.compare(w, *m_found.begin());
+    m_found.clear(query.state());
+    for_each_neighbor(query.geometry(), v, [&](const Site& w) {
+      const Comparison_result result = m_found.empty() ? EQUAL : query.compare(w, *m_found.begin());
       if (result == SMALLER)
-        space.clear(m_found);
+        m_found.clear(query.state());
       if (result != LARGER)
         m_found.insert(w);
     });
-    return smallest_found(space, asking);
+    return smallest_found(query, asking);
   }
 
   /// writes all points within a radius of `p`, including those on the circle, to `answers`, in no
@@ -169,26 +179,26 @@ public:
     return find_within(p, 0, squared_radius, answers);
   }
 
-  /// lists all points within a radius of each place of a range. Those of the i-th place are
+  /// lists all points within a radius of each query point of a range. Those of the i-th are
   /// `answers[begins[i]]` to `answers[begins[i + 1] - 1]`, in ascending order.
   ///
   /// Cost: that of the queries, which threads share, and O(k log k) for k points found.
-  /// \param first, beyond the range of places.
+  /// \param first, beyond the range of query points.
   /// \param squared_radius the square of the radius.
-  /// \param answers receives the answers for all places; does not change if this throws.
-  /// \param begins receives where the answers for each place begin, and at its end the number of
-  /// all answers; does not change if this throws.
-  /// \tparam ForwardIterator has the value type `Point`.
+  /// \param answers receives the answers for all query points; does not change if this throws.
+  /// \param begins receives where the answers for each query point begin, and at its end the number
+  /// of all answers; does not change if this throws. \tparam ForwardIterator has the value type
+  /// `Point`.
   template <class ForwardIterator>
   void within(ForwardIterator first, ForwardIterator beyond, const FT& squared_radius,
               std::vector<Answer>& answers, std::vector<size_type>& begins) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     check(squared_radius);
-    const std::vector<Point> places(first, beyond);
-    list_in_parts<Parts>(*this, places.size(), answers, begins,
+    const std::vector<Point> points(first, beyond);
+    list_in_parts<Parts>(*this, points.size(), answers, begins,
                          [&](const Delaunay_point_queries_2& queries, std::size_t i, auto found) {
-                           queries.find_within(places[i], i, squared_radius, found);
+                           queries.find_within(points[i], i, squared_radius, found);
                          });
   }
 
@@ -203,9 +213,11 @@ public:
                                   OutputIterator answers) const
   {
     const Point& p = m_dt->point(id);
-    const Space space(*m_dt, p);
+    const Floating_point floating_point;
+    const Query query = query_at(p, 0);
     check(squared_radius);
-    return write_within(space, space.site(vertex(id)), squared_radius, Space::answer(id), answers);
+    return write_within(query, query.site(m_dt->frame().vertex(id)), squared_radius,
+                        answer(id, Dynamic_Delaunay_triangulations_2::internal::no_shift), answers);
   }
 
   /// @}
@@ -219,83 +231,94 @@ private:
                                                               CGAL::to_double(squared_radius));
   }
 
-  // `number` is the number of the place in its range, for errors.
+  // Errors call p `number`, its number in a range.
+  Query query_at(const Point& p, size_type number) const
+  {
+    return {Dynamic_Delaunay_triangulations_2::internal::certified_state(*m_dt), p, number};
+  }
+
+  static Answer answer(size_type id, [[maybe_unused]] const Periodic_shift_2& shift)
+  {
+    if constexpr (is_periodic)
+      return {id, shift};
+    else
+      return id;
+  }
+
   std::optional<Answer> find_nearest(const Point& p, size_type number) const
   {
-    const Space space(*m_dt, p, number);
+    const Floating_point floating_point;
+    const Query query = query_at(p, number);
     if (m_dt->number_of_vertices() == 0)
       return std::nullopt;
-    const Site v = walk(space);
-    flood(space, v, [&](const Site& w) { return space.compare(w, v) == EQUAL; });
-    return smallest_found(space, std::nullopt);
+    const Site v = walk(query);
+    flood(query, v, [&](const Site& w) { return query.compare(w, v) == EQUAL; });
+    return smallest_found(query, std::nullopt);
   }
 
   template <class OutputIterator>
   OutputIterator find_within(const Point& p, size_type number, const FT& squared_radius,
                              OutputIterator answers) const
   {
-    const Space space(*m_dt, p, number);
+    const Floating_point floating_point;
+    const Query query = query_at(p, number);
     check(squared_radius);
     if (m_dt->number_of_vertices() == 0)
       return answers;
-    const Site v = walk(space);
-    if (space.compare_square(v, squared_radius) == LARGER)
+    const Site v = walk(query);
+    if (query.compare_square(v, squared_radius) == LARGER)
       return answers;
-    return write_within(space, v, squared_radius, std::nullopt, answers);
+    return write_within(query, v, squared_radius, std::nullopt, answers);
   }
 
-  Index vertex(size_type id) const { return m_dt->frame().vertex(id); }
-
   // Returns a nearest site: moves to the nearest neighbor until none is nearer.
-  Site walk(const Space& space) const
+  Site walk(const Query& query) const
   {
-    Site nearest = start_of_walk(space), last;
+    Site nearest = query.site(start_of_walk(query)), last;
     do {
       last = nearest;
-      space.for_each_neighbor(last, [&](const Site& w) {
-        if (space.compare(w, nearest) == SMALLER)
+      for_each_neighbor(query.geometry(), last, [&](const Site& w) {
+        if (query.compare(w, nearest) == SMALLER)
           nearest = w;
       });
-    } while (nearest != last);
-    m_last = space.vertex(nearest);
+    } while (!(nearest == last));
+    m_last = State::vertex_of(nearest);
     return nearest;
   }
 
   // The nearest of the last answer and a few evenly spread vertices, whose numbers follow a spatial
   // order.
-  Site start_of_walk(const Space& space) const
+  Index start_of_walk(const Query& query) const
   {
-    const Index bound = m_dt->frame().number_of_vertices() + 1;
+    const Index bound = query.state().number_of_vertices() + 1;
     const Index step = Index(std::cbrt(double(bound) * bound)); // visits about n^(1/3)
-    Site nearest = space.site(m_last < bound ? m_last : 1);
-    double square = space.approximate_square(nearest);
-    for (Index v = 1; v < bound; v += step) {
-      const Site site = space.site(v);
-      if (const double other = space.approximate_square(site); other < square) {
-        nearest = site;
+    Index nearest = m_last < bound ? m_last : 1;
+    double square = query.rounded_squared_distance(nearest);
+    for (Index v = 1; v < bound; v += step)
+      if (const double other = query.rounded_squared_distance(v); other < square) {
+        nearest = v;
         square = other;
       }
-    }
     return nearest;
   }
 
-  void start_with(const Space& space, const Site& v) const
+  void start_with(const Query& query, const Site& v) const
   {
-    space.clear(m_found);
+    m_found.clear(query.state());
     m_found.insert(v);
   }
 
   // Finds all sites w with `belongs(w)` that are connected with v by such sites.
   template <class Predicate>
-  void flood(const Space& space, const Site& v, const Predicate& belongs) const
+  void flood(const Query& query, const Site& v, const Predicate& belongs) const
   {
-    start_with(space, v);
+    start_with(query, v);
     m_open.assign(1, v);
     while (!m_open.empty()) {
       const Site from = m_open.back();
       m_open.pop_back();
-      space.for_each_neighbor(from, [&](const Site& w) {
-        if (!space.contains(m_found, w) && belongs(w)) {
+      for_each_neighbor(query.geometry(), from, [&](const Site& w) {
+        if (!m_found.contains(w) && belongs(w)) {
           m_found.insert(w);
           m_open.push_back(w);
         }
@@ -303,41 +326,54 @@ private:
     }
   }
 
-  // Calls f(answer) for every point at the sites that were found, except for `asking`.
+  // Calls f(answer) for every point at the sites that were found, except for `asking`. The point of
+  // a duplicate may be another image than that of its representative.
   template <class Function>
-  void for_each_found(const Space& space, const std::optional<Answer>& asking,
+  void for_each_found(const Query& query, const std::optional<Answer>& asking,
                       const Function& f) const
   {
-    space.for_each_point(m_found, [&](const Answer& answer) {
-      if (answer != asking)
-        f(answer);
-    });
+    using Dynamic_Delaunay_triangulations_2::internal::operator+;
+    const auto call = [&](size_type id, const Periodic_shift_2& shift) {
+      const Answer found = answer(id, shift);
+      if (found != asking)
+        f(found);
+    };
+    const auto& geometry = query.geometry();
+    const auto& ids = query.state().ids();
+    for (const Site& site : m_found)
+      call(ids.representative(State::vertex_of(site)), geometry.shift(site));
+    for (const auto& duplicate : ids.duplicates()) {
+      const auto v = ids.vertex(duplicate.id);
+      m_found.for_each_at(v, [&](const Site& site) {
+        call(duplicate.id, geometry.shift(site) + geometry.shift_to(v, duplicate.point));
+      });
+    }
   }
 
-  std::optional<Answer> smallest_found(const Space& space,
+  std::optional<Answer> smallest_found(const Query& query,
                                        const std::optional<Answer>& asking) const
   {
     std::optional<Answer> smallest;
-    for_each_found(space, asking, [&](const Answer& answer) {
-      if (!smallest || answer < *smallest)
-        smallest = answer;
+    for_each_found(query, asking, [&](const Answer& found) {
+      if (!smallest || found < *smallest)
+        smallest = found;
     });
     return smallest;
   }
 
   template <class OutputIterator>
-  OutputIterator write_within(const Space& space, const Site& v, const FT& squared_radius,
+  OutputIterator write_within(const Query& query, const Site& v, const FT& squared_radius,
                               const std::optional<Answer>& asking, OutputIterator answers) const
   {
-    flood(space, v,
-          [&](const Site& w) { return space.compare_square(w, squared_radius) != LARGER; });
-    for_each_found(space, asking, [&](const Answer& answer) { *answers++ = answer; });
+    flood(query, v,
+          [&](const Site& w) { return query.compare_square(w, squared_radius) != LARGER; });
+    for_each_found(query, asking, [&](const Answer& found) { *answers++ = found; });
     return answers;
   }
 
   const Dynamic* m_dt;
   mutable Index m_last = 1; // the vertex found by the last walk
-  mutable typename Space::Sites m_found;
+  mutable Dynamic_Delaunay_triangulations_2::internal::Site_set_2<State> m_found;
   mutable std::vector<Site> m_open; // sites whose neighbors flood() has still to visit
 };
 

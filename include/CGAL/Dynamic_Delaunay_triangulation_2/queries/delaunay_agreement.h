@@ -105,17 +105,17 @@ Delaunay_agreement delaunay_agreement(const Maintained& maintained, const Refere
       throw std::invalid_argument("delaunay_agreement: the cells are not the same");
   const Default_floating_point floating_point;
   const Correct correct(reference);
-  std::vector<typename Correct::Place> place_of_id(maintained.number_of_ids());
-  for (std::size_t id = 0; id < place_of_id.size(); ++id)
+  std::vector<typename Correct::Site> site_of_id(maintained.number_of_ids());
+  for (std::size_t id = 0; id < site_of_id.size(); ++id)
     if (maintained.has_id(id))
-      place_of_id[id] = correct.place(maintained.point(id));
+      site_of_id[id] = correct.site(maintained.point(id));
   std::vector<typename Correct::Edge> edges;
   maintained.for_each_edge([&](std::size_t i, std::size_t j, const auto&... shift) {
     edges.push_back(
-        Correct::edge(place_of_id[i], shifted(place_of_id[j], Periodic_shift_2{shift...})));
+        Correct::edge(site_of_id[i], shifted(site_of_id[j], Periodic_shift_2{shift...})));
   });
-  const auto [right, wrong, missing, places] = correct.compare(std::move(edges));
-  return Delaunay_agreement(right, wrong, missing, places);
+  const auto [right, wrong, missing, sites] = correct.compare(std::move(edges));
+  return Delaunay_agreement(right, wrong, missing, sites);
 }
 
 } // namespace CGAL

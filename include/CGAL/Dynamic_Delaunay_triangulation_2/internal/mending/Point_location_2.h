@@ -16,73 +16,112 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The place of a point: a vertex, or a face that contains it, boundary included. The face is
-// infinite if the point is outside of the hull.
+// Where a target is: at a vertex, or in a face, boundary included. The face is infinite if the
+// target is outside of the hull.
 template <class State>
-struct Place_2
+struct Location_2
 {
   Face_index face = null_index;
-  typename State::Chart chart{}; // of the face, as seen from the point
+  typename State::Chart chart{}; // of the face, as seen from the target
   Vertex_index vertex = null_index;
-  Halfedge_index edge =
-      null_index;         // on a torus, a half-edge of the face that the point is on, if any
   Index steps = 0;        // of the walk to find it
   bool is_inside = false; // strictly inside of a finite face
 };
 
-// Jump and walk (Mücke, Saias and Zhu, 1999): walks from the nearest of some vertices through
-// faces, always across an edge that has the point on its other side. In a Delaunay triangulation
-// such a walk meets no face twice. In other ones it may not end; after as many steps as there are
-// faces, the result is any face that contains the point or, if there is none, the face in which the
-// walk began. On a torus everything has to be Delaunay.
+// A vertex that is in no face, as a target. Positions that belong to no vertex are targets as well,
+// by the same functions: `Query_2`.
 template <class State>
+class Vertex_target_2
+{
+  using Site = typename State::Site;
+
+public:
+  Vertex_target_2(const State& state, Vertex_index v)
+    : m_state(state)
+    , m_predicates(state)
+    , m_vertex(v)
+  {
+  }
+
+  // How the face of h is seen from the target.
+  typename State::Chart chart_at(Halfedge_index h) const
+  {
+    return m_state.chart_seen_from(m_vertex, h);
+  }
+  double rounded_squared_distance(Vertex_index w) const
+  {
+    return m_state.rounded_squared_distance(m_vertex, w);
+  }
+  // The orientation of a, b and the target.
+  Orientation orientation(const Site& a, const Site& b) const
+  {
+    return m_predicates.orientation(a, b, State::site_of(m_vertex));
+  }
+  bool is_at(const Site& site) const
+  {
+    return m_predicates.coincide(State::site_of(m_vertex), site);
+  }
+
+private:
+  const State& m_state;
+  const typename State::Predicates m_predicates;
+  const Vertex_index m_vertex;
+};
+
+// Jump and walk (Mücke, Saias and Zhu, 1999): walks from the nearest of some vertices through
+// faces, always across an edge that has the target on its other side. In a Delaunay triangulation
+// such a walk meets no face twice. In other ones it may not end; after as many steps as there are
+// faces, the result is any face that contains the target or, if there is none, the face in which
+// the walk began. On a torus everything has to be Delaunay.
+template <class State, class Target>
 class Point_location_2
 {
   using Arrays = Halfedge_arrays_2;
   using Chart = typename State::Chart;
-  using Place = Place_2<State>;
+  using Location = Location_2<State>;
 
 public:
-  explicit Point_location_2(const State& state)
+  // Both must live as long as this object.
+  Point_location_2(const State& state, const Target& target)
     : m_state(state)
-    , m_predicates(state)
+    , m_target(target)
   {
   }
 
-  // Locates vertex v, which is in no face. `nearby` is a finite vertex in some face. The numbers of
-  // the vertices around v are expected to differ from the number of `nearby` by at most `spread`.
-  Place locate(Vertex_index v, Vertex_index nearby, Index spread) const
+  // `nearby` is a finite vertex in some face. The numbers of the vertices around the target are
+  // expected to differ from the number of `nearby` by at most `spread`.
+  Location locate(Vertex_index nearby, Index spread) const
   {
     const Arrays& arrays = m_state.arrays();
-    const Index start = arrays.corner(nearest(v, nearby, spread));
-    Place place;
-    place.face = Arrays::face_of(start);
-    place.chart = m_state.chart_seen_from(v, start);
-    Halfedge_index h = way_out(place, v);
-    while (h != null_index && may_go_on(++place.steps)) {
+    const Index start = arrays.corner(nearest(nearby, spread));
+    Location location;
+    location.face = Arrays::face_of(start);
+    location.chart = m_target.chart_at(start);
+    Halfedge_index h = way_out(location);
+    while (h != null_index && may_go_on(++location.steps)) {
       const Index entry = arrays.twin(h);
-      place.chart = m_state.chart_beyond(h, place.chart);
-      place.face = Arrays::face_of(entry);
-      h = way_on(entry, place.chart, v, place.steps % 2 == 0);
+      location.chart = m_state.chart_beyond(h, location.chart);
+      location.face = Arrays::face_of(entry);
+      h = way_on(entry, location.chart, location.steps % 2 == 0);
     }
     if (h != null_index)
-      place.face = any_face_with(v, Arrays::face_of(start));
-    complete(place, v);
-    return place;
+      location.face = any_face_with_target(Arrays::face_of(start));
+    complete(location);
+    return location;
   }
 
 private:
-  // Returns a vertex near v. If `spread` is large, first takes the nearest of half to all of the
-  // cube root of n vertices, evenly spread over the numbers. Then searches around the nearest one
-  // at ever smaller steps of the numbers, which follow a curve through the plane. At 100,000 points
-  // the second search takes as long as two steps of the walk, and saves some forty.
-  Index nearest(Vertex_index v, Vertex_index nearby, Index spread) const
+  // Returns a vertex near the target. If `spread` is large, first takes the nearest of half to all
+  // of the cube root of n vertices, evenly spread over the numbers. Then searches around the
+  // nearest one at ever smaller steps of the numbers, which follow a curve through the plane. At
+  // 100,000 points the second search takes as long as two steps of the walk, and saves some forty.
+  Index nearest(Vertex_index nearby, Index spread) const
   {
     const Index vertices = m_state.number_of_vertices();
     Index samples = 1;
     while (8 * std::size_t(samples) * samples * samples <= vertices)
       samples *= 2;
-    Nearest best{v, nearby, m_state.rounded_squared_distance(v, nearby)};
+    Nearest best{nearby, m_target.rounded_squared_distance(nearby)};
     if (spread > vertices / samples) {
       for (Index i = 0; i < samples; ++i)
         consider(1 + Index(std::size_t(i) * vertices / samples), best);
@@ -100,17 +139,15 @@ private:
 
   struct Nearest
   {
-    Index of, vertex;
+    Index vertex;
     double squared_distance;
   };
 
   void consider(Vertex_index w, Nearest& best) const
   {
-    const double square = m_state.rounded_squared_distance(best.of, w);
-    if (square < best.squared_distance && !m_state.arrays().is_outside(w)) {
-      best.squared_distance = square;
-      best.vertex = w;
-    }
+    const double square = m_target.rounded_squared_distance(w);
+    if (square < best.squared_distance && !m_state.arrays().is_outside(w))
+      best = {w, square};
   }
 
   bool may_go_on(Index steps) const
@@ -118,75 +155,72 @@ private:
     return !State::can_locate_anywhere || steps < m_state.arrays().number_of_faces();
   }
 
-  Index any_face_with(Vertex_index v, Index otherwise) const
+  Index any_face_with_target(Index otherwise) const
   {
     const Arrays& arrays = m_state.arrays();
-    Place place;
-    for (place.face = 0; place.face < arrays.number_of_faces(); ++place.face)
-      if (!arrays.is_empty_face(place.face) && way_out(place, v) == null_index)
-        return place.face;
+    Location location;
+    for (location.face = 0; location.face < arrays.number_of_faces(); ++location.face)
+      if (!arrays.is_empty_face(location.face) && way_out(location) == null_index)
+        return location.face;
     return otherwise;
   }
 
-  // Returns an edge that separates the place's face from v, or `null_index` if v is in the face.
-  Halfedge_index way_out(const Place& place, Vertex_index v) const
+  // Returns an edge that separates the face from the target, or `null_index` if the target is in
+  // the face.
+  Halfedge_index way_out(const Location& location) const
   {
     const Arrays& arrays = m_state.arrays();
-    const Halfedge_index first = Arrays::halfedge_in(place.face, 0);
+    const Halfedge_index first = Arrays::halfedge_in(location.face, 0);
     for (Halfedge_index h = first; h < first + 3; ++h) // an infinite face has one finite edge
       if (arrays.apex(h) == infinite_index)
-        return orientation(h, place.chart, v) == LEFT_TURN ? Halfedge_index(null_index) : h;
+        return orientation(h, location.chart) == LEFT_TURN ? Halfedge_index(null_index) : h;
     for (Halfedge_index h = first; h < first + 3; ++h)
-      if (orientation(h, place.chart, v) == RIGHT_TURN)
+      if (orientation(h, location.chart) == RIGHT_TURN)
         return h;
     return null_index;
   }
 
-  // Returns the edge through which to leave the face of `entry`, a half-edge that does not have v
-  // on its right, or `null_index` if v is in that face. `turn` determines which edge is tested
-  // first: always preferring the same one can cause detours.
-  Halfedge_index way_on(Halfedge_index entry, const Chart& chart, Vertex_index v, bool turn) const
+  // Returns the edge through which to leave the face of `entry`, a half-edge that does not have the
+  // target on its right, or `null_index` if the target is in that face. `turn` determines which
+  // edge is tested first: always preferring the same one can cause detours.
+  Halfedge_index way_on(Halfedge_index entry, const Chart& chart, bool turn) const
   {
     if (m_state.arrays().apex(entry) == infinite_index)
       return null_index;
     const Halfedge_index next = Arrays::next(entry), previous = Arrays::previous(entry);
     const Halfedge_index first = turn ? next : previous, second = turn ? previous : next;
-    if (orientation(first, chart, v) == RIGHT_TURN)
+    if (orientation(first, chart) == RIGHT_TURN)
       return first;
-    return orientation(second, chart, v) == RIGHT_TURN ? second : Halfedge_index(null_index);
+    return orientation(second, chart) == RIGHT_TURN ? second : Halfedge_index(null_index);
   }
 
-  // The orientation of the source of half-edge h, its target and v.
-  Orientation orientation(Halfedge_index h, const Chart& chart, Vertex_index v) const
+  // The orientation of the source of half-edge h, its target and the target of the search.
+  Orientation orientation(Halfedge_index h, const Chart& chart) const
   {
-    return m_predicates.orientation(m_state.site_in(Arrays::next(h), chart),
-                                    m_state.site_in(Arrays::previous(h), chart), State::site_of(v));
+    return m_target.orientation(m_state.site_in(Arrays::next(h), chart),
+                                m_state.site_in(Arrays::previous(h), chart));
   }
 
-  // Finds out where in its face v is.
-  void complete(Place& place, Vertex_index v) const
+  // Finds out where in its face the target is.
+  void complete(Location& location) const
   {
     const Arrays& arrays = m_state.arrays();
-    const Halfedge_index first = Arrays::halfedge_in(place.face, 0);
-    const auto corners = arrays.face(place.face);
+    const Halfedge_index first = Arrays::halfedge_in(location.face, 0);
+    const auto corners = arrays.face(location.face);
     const bool is_finite =
         std::find(corners.begin(), corners.end(), infinite_index) == corners.end();
-    place.is_inside = is_finite;
-    for (Halfedge_index h = first; h < first + 3 && place.is_inside; ++h)
-      place.is_inside = orientation(h, place.chart, v) == LEFT_TURN;
-    if (place.is_inside)
+    location.is_inside = is_finite;
+    for (Halfedge_index h = first; h < first + 3 && location.is_inside; ++h)
+      location.is_inside = orientation(h, location.chart) == LEFT_TURN;
+    if (location.is_inside)
       return;
-    for (Halfedge_index h = first; h < first + 3; ++h) {
-      if (arrays.apex(h) != infinite_index &&
-          m_predicates.coincide(State::site_of(v), m_state.site_in(h, place.chart)))
-        place.vertex = arrays.apex(h);
-      if (State::is_periodic && orientation(h, place.chart, v) == COLLINEAR)
-        place.edge = h;
-    }
+    for (Halfedge_index h = first; h < first + 3; ++h)
+      if (arrays.apex(h) != infinite_index && m_target.is_at(m_state.site_in(h, location.chart)))
+        location.vertex = arrays.apex(h);
   }
 
   const State& m_state;
-  typename State::Predicates m_predicates;
+  const Target& m_target;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

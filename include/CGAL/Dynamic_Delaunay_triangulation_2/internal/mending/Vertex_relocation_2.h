@@ -37,13 +37,12 @@ class Vertex_relocation_2
   using Editor = Topology_editor_2<State>;
   using Slot = typename Editor::Slot;
   using Point = typename State::Point;
-  using Place = Place_2<State>;
+  using Location = Location_2<State>;
 
 public:
   Vertex_relocation_2(State& state, Editor& editor)
     : m_state(state)
     , m_editor(editor)
-    , m_location(state)
     , m_meeting_order(state)
   {
   }
@@ -88,13 +87,13 @@ public:
 
   // OUT -----------------------------------------------------------------------------------------
 
-  // Takes v out, to be put in again at its present position; the faces have it at `place`. False,
-  // with nothing done, if its faces cannot be replaced: in a torus of few vertices, and along the
-  // sides of a slab, these may meet images of themselves.
-  bool take_out(Vertex_index v, const Position_2& place)
+  // Takes v out, to be put in again at its present position; the faces have it at `position`.
+  // False, with nothing done, if its faces cannot be replaced: in a torus of few vertices, and
+  // along the sides of a slab, these may meet images of themselves.
+  bool take_out(Vertex_index v, const Position_2& position)
   {
     reserve_for_slot();
-    const bool can_go = triangulate_anyhow_without(v, place);
+    const bool can_go = triangulate_anyhow_without(v, position);
     if (can_go)
       m_waiting.push_back(m_editor.take_out(m_polygon));
     return can_go;
@@ -199,7 +198,7 @@ public:
                 const Legalize& legalize)
   {
     Counts counts;
-    collect_places(parted_duplicates);
+    collect_positions(parted_duplicates);
     Hint hint{any_vertex(), m_state.number_of_vertices()};
     for (std::size_t k = 0; k < m_order.size(); ++k) {
       const std::size_t i = m_order[k];
@@ -270,12 +269,12 @@ private:
     return can_go && m_polygon.triangulate_as_delaunay(m_state);
   }
 
-  // Triangulates the polygon around v; the faces have v at `place`.
-  bool triangulate_anyhow_without(Vertex_index v, const Position_2& place)
+  // Triangulates the polygon around v; the faces have v at `position`.
+  bool triangulate_anyhow_without(Vertex_index v, const Position_2& position)
   {
     if (!m_polygon.read(m_state, v) || (State::is_periodic && !m_polygon.has_different_vertices()))
       return false;
-    m_polygon.triangulate_anyhow(m_state, place);
+    m_polygon.triangulate_anyhow(m_state, position);
     return true;
   }
 
@@ -287,10 +286,10 @@ private:
       const Index successor = find_successor(id);
       if (successor == null_index)
         return remove_vertex(v, are_delaunay);
-      const Point place = m_state.point(v);
+      const Point p = m_state.point(v);
       if (!m_state.is_at(ids.duplicate(successor).point, v))
         moved.push_back(v);
-      m_editor.exchange_representative(successor, v, place);
+      m_editor.exchange_representative(successor, v, p);
     }
     m_editor.remove_duplicate(id);
   }
@@ -315,18 +314,20 @@ private:
 
   // Collects the positions to put in: those of waiting vertices, then those of parted duplicates,
   // then those of new points.
-  void collect_places(const std::vector<Index>& parted_duplicates)
+  void collect_positions(const std::vector<Index>& parted_duplicates)
   {
-    m_places.clear();
-    const auto add = [this](const Position_2& p) { m_places.push_back(m_state.place_in_order(p)); };
+    m_positions.clear();
+    const auto add = [this](const Position_2& p) {
+      m_positions.push_back(m_state.place_in_order(p));
+    };
     for (const Slot& slot : m_waiting)
       add(m_state.positions()[slot.vertex]);
     for (const Point_id id : parted_duplicates)
       add(approximation(m_state.ids().duplicate(id).point));
     for (const Point& p : m_coming_points)
       add(approximation(p));
-    const boost::counting_iterator<Index> first(0), beyond(Index(m_places.size()));
-    m_order.sort(m_places, first, beyond);
+    const boost::counting_iterator<Index> first(0), beyond(Index(m_positions.size()));
+    m_order.sort(m_positions, first, beyond);
   }
 
   // A finite vertex that is in some face.
@@ -360,22 +361,28 @@ private:
     return {nearby, Index(spread)};
   }
 
+  Location locate(Vertex_index v, const Hint& hint) const
+  {
+    const Vertex_target_2<State> target(m_state, v);
+    return Point_location_2(m_state, target).locate(hint.nearby, hint.spread);
+  }
+
   // Returns v, or `null_index` if another vertex is there already, and now has the points of v.
   Index put_in_again(const Slot& slot, const Hint& hint, std::size_t most, Counts& counts)
   {
     const Vertex_index v = slot.vertex;
-    const Place place = m_location.locate(v, hint.nearby, hint.spread);
-    counts.steps += place.steps;
-    if (place.vertex == null_index) {
-      if (find_polygon(slot, place, most))
+    const Location location = locate(v, hint);
+    counts.steps += location.steps;
+    if (location.vertex == null_index) {
+      if (find_polygon(slot, location, most))
         m_editor.put_in_again(slot, m_polygon);
       else
-        m_editor.put_in_again(slot, seen(place));
+        m_editor.put_in_again(slot, seen(location));
       ++counts.relocated;
       return v;
     }
     m_editor.reserve_for_duplicates(1);
-    m_editor.hand_points_to(place.vertex, v, m_state.point(v));
+    m_editor.hand_points_to(location.vertex, v, m_state.point(v));
     m_empty.push_back(slot);
     ++counts.merged;
     return null_index;
@@ -394,31 +401,34 @@ private:
     counts.parted += parts;
     m_editor.reserve_for_duplicates(1);
     const Slot slot = take_slot(p);
-    const Place place = m_location.locate(slot.vertex, hint.nearby, hint.spread);
-    counts.steps += place.steps;
-    if (place.vertex != null_index) {
-      m_editor.place_duplicate(id, place.vertex, p);
+    const Location location = locate(slot.vertex, hint);
+    counts.steps += location.steps;
+    if (location.vertex != null_index) {
+      m_editor.place_duplicate(id, location.vertex, p);
       return null_index;
     }
-    const bool is_found = find_polygon(slot, place, most);
+    const bool is_found = find_polygon(slot, location, most);
     m_empty.pop_back(); // nothing throws from here on
     if (is_found)
       m_editor.put_in_new(slot, m_polygon, id);
     else
-      m_editor.put_in_new(slot, seen(place), id);
+      m_editor.put_in_new(slot, seen(location), id);
     return slot.vertex;
   }
 
-  static typename Editor::Seen_face seen(const Place& place) { return {place.face, place.chart}; }
+  static typename Editor::Seen_face seen(const Location& location)
+  {
+    return {location.face, location.chart};
+  }
 
   // Finds a polygon to put the slot's vertex in so that everything stays Delaunay. False if `most`
   // is 0, or if that is not possible. In any case reserves memory for the new edges.
-  bool find_polygon(const Slot& slot, const Place& place, std::size_t most)
+  bool find_polygon(const Slot& slot, const Location& location, std::size_t most)
   {
     constexpr std::size_t edges_of_three_faces = 6;
     const bool is_found =
-        State::predicates_are_exact && most > 0 && place.is_inside &&
-        m_polygon.find_as_delaunay(m_state, place.face, place.chart, slot.vertex, most);
+        State::predicates_are_exact && most > 0 && location.is_inside &&
+        m_polygon.find_as_delaunay(m_state, location.face, location.chart, slot.vertex, most);
     if (is_found) {
       m_replaced = m_polygon.faces().size();
       m_polygon.add(slot);
@@ -447,10 +457,9 @@ private:
 
   const State& m_state;
   Editor& m_editor;
-  Point_location_2<State> m_location;
   Vertex_order_2<State> m_meeting_order;
   Spatial_order_2 m_order;
-  std::vector<Position_2> m_places;
+  std::vector<Position_2> m_positions;
   Star_polygon_2<State> m_polygon; // around the vertex that goes or comes
   std::size_t m_replaced = 0;      // faces that the last vertex has replaced
   std::vector<Index> m_rest;       // vertices for remove_rest()

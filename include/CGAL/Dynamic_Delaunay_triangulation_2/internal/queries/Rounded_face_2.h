@@ -18,15 +18,6 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Bounds the error of a dot or cross product, except by underflow, if coordinates are off by up to
-// e besides the rounding of one subtraction. With u = 2^-53 each of two products of coordinates has
-// three roundings, and their sum is one more.
-inline double error_of_product(const Position_2& v, const Position_2& w, double e)
-{
-  const double a = std::abs(v.x) + std::abs(v.y), b = std::abs(w.x) + std::abs(w.y);
-  return 5 * 0x1p-53 * a * b + 2 * e * (a + b + e);
-}
-
 // A Delaunay face in doubles, with bounds on their errors.
 //
 // Let u = 2^-53, and let r |v| bound the error of a vector v, where r is u, plus 1.5e / |v| if
@@ -48,12 +39,11 @@ class Rounded_face_2
 {
 public:
   // \pre The corners are counterclockwise.
-  template <class State>
-  Rounded_face_2(const State& state, const std::array<typename State::Site, 3>& corners)
+  template <class Geometry, class A, class B, class C>
+  Rounded_face_2(const Geometry& geometry, const A& a, const B& b, const C& c)
     : m_off(0)
-    , m_face{std::array<Position_2, 3>{state.vector(corners[1], corners[2], m_off),
-                                       state.vector(corners[2], corners[0], m_off),
-                                       state.vector(corners[0], corners[1], m_off)},
+    , m_face{std::array<Position_2, 3>{geometry.vector(b, c, m_off), geometry.vector(c, a, m_off),
+                                       geometry.vector(a, b, m_off)},
              m_off} // braces, because m_off must be read after the vectors
   {
     const double inverse = 1 / m_face.doubled_area(); // three divisions would take longer

@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Rounded_face_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_geometry_2.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -22,10 +23,10 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Weights are parts of a whole. On an edge, the part of an end is the way from the place to the
-// other end. In a face, the part of a corner is the area of the triangle of the place and the
-// opposite side. The part of one of Sibson's natural neighbors is what its cell loses to a point
-// inserted at the place: what it owns of the faces that go, less what it owns of the new ones. A
+// Weights are parts of a whole. On an edge, the part of an end is the way from the query point to
+// the other end. In a face, the part of a corner is the area of the triangle of the query point and
+// the opposite side. The part of one of Sibson's natural neighbors is what its cell loses to a
+// point inserted there: what it owns of the faces that go, less what it owns of the new ones. A
 // corner owns h l^2 / 8 at each of its sides of a face; see Voronoi_face_2. So no circumcenter is
 // needed, and far ones do no harm.
 
@@ -34,11 +35,13 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 template <class State>
 class Rounded_weight_parts_2
 {
+  using Geometry = Site_geometry_2<State>;
+  using Query_point = typename Geometry::Query_point;
   using Site = typename State::Site;
 
 public:
-  explicit Rounded_weight_parts_2(const State& state)
-    : m_state(state)
+  explicit Rounded_weight_parts_2(const Geometry& geometry)
+    : m_geometry(geometry)
   {
   }
 
@@ -48,22 +51,22 @@ public:
     m_errors.assign(size, 0);
   }
 
-  // Sets the parts for a place p on the edge from a to b: the ways from p to b and from a to p.
-  void add_edge(const Site& p, const Site& a, const Site& b)
+  // Sets the parts for q on the edge from a to b: the ways from q to b and from a to q.
+  void add_edge(const Query_point& q, const Site& a, const Site& b)
   {
     double e = 0;
-    const Position_2 way = m_state.vector(a, b, e), to = m_state.vector(p, b, e),
-                     from = m_state.vector(a, p, e);
+    const Position_2 way = m_geometry.vector(a, b, e), to = m_geometry.vector(q, b, e),
+                     from = m_geometry.vector(a, q, e);
     m_parts = {dot(to, way), dot(from, way)};
     m_errors = {error_of_product(to, way, e), error_of_product(from, way, e)};
   }
 
-  void add_triangle(const Site& p, const std::array<Site, 3>& corners)
+  void add_triangle(const Query_point& q, const std::array<Site, 3>& corners)
   {
     double e = 0;
-    const std::array<Position_2, 3> rays{m_state.vector(p, corners[0], e),
-                                         m_state.vector(p, corners[1], e),
-                                         m_state.vector(p, corners[2], e)};
+    const std::array<Position_2, 3> rays{m_geometry.vector(q, corners[0], e),
+                                         m_geometry.vector(q, corners[1], e),
+                                         m_geometry.vector(q, corners[2], e)};
     for (std::size_t i = 0; i < 3; ++i) {
       m_parts[i] = cross(rays[(i + 1) % 3], rays[(i + 2) % 3]);
       m_errors[i] = error_of_product(rays[(i + 1) % 3], rays[(i + 2) % 3], e);
@@ -71,11 +74,12 @@ public:
   }
 
   // Adds what the corners of a face own of it, times the sign, to the parts with these numbers.
-  // Ignores numbers that no part has.
-  void add_face(const std::array<Site, 3>& corners, const std::array<std::size_t, 3>& numbers,
-                int sign)
+  // Ignores numbers that no part has. The first corner may be the query point.
+  template <class Corner>
+  void add_face(const Corner& a, const Site& b, const Site& c,
+                const std::array<std::size_t, 3>& numbers, int sign)
   {
-    const Rounded_face_2 face(m_state, corners);
+    const Rounded_face_2 face(m_geometry, a, b, c);
     std::array<double, 3> owned, errors;
     for (std::size_t i = 0; i < 3; ++i) {
       owned[i] = sign * face.cotangent(i) * face.squared_length(i);
@@ -109,7 +113,7 @@ public:
 private:
   static constexpr double unit = 0x1p-53, smallest = 1e-280;
 
-  const State& m_state;
+  const Geometry m_geometry;
   std::vector<double> m_parts, m_errors;
 };
 
@@ -117,37 +121,39 @@ private:
 template <class State>
 class Exact_weight_parts_2
 {
+  using Geometry = Site_geometry_2<State>;
+  using Query_point = typename Geometry::Query_point;
   using Site = typename State::Site;
-  using Number = typename State::Exact;
+  using Number = typename Geometry::Exact;
   using Vector = Exact_vector_2<Number>;
 
 public:
-  Exact_weight_parts_2(const State& state, std::size_t size)
-    : m_state(state)
+  Exact_weight_parts_2(const Geometry& geometry, std::size_t size)
+    : m_geometry(geometry)
     , m_parts(size, Number(0))
   {
   }
 
-  void add_edge(const Site& p, const Site& a, const Site& b)
+  void add_edge(const Query_point& q, const Site& a, const Site& b)
   {
-    const Vector way = m_state.exact_vector(a, b);
-    m_parts[0] += dot(m_state.exact_vector(p, b), way);
-    m_parts[1] += dot(m_state.exact_vector(a, p), way);
+    const Vector way = m_geometry.exact_vector(a, b);
+    m_parts[0] += dot(m_geometry.exact_vector(q, b), way);
+    m_parts[1] += dot(m_geometry.exact_vector(a, q), way);
   }
 
-  void add_triangle(const Site& p, const std::array<Site, 3>& corners)
+  void add_triangle(const Query_point& q, const std::array<Site, 3>& corners)
   {
     for (std::size_t i = 0; i < 3; ++i)
-      m_parts[i] += cross(m_state.exact_vector(p, corners[(i + 1) % 3]),
-                          m_state.exact_vector(p, corners[(i + 2) % 3]));
+      m_parts[i] += cross(m_geometry.exact_vector(q, corners[(i + 1) % 3]),
+                          m_geometry.exact_vector(q, corners[(i + 2) % 3]));
   }
 
-  void add_face(const std::array<Site, 3>& corners, const std::array<std::size_t, 3>& numbers,
-                int sign)
+  template <class Corner>
+  void add_face(const Corner& a, const Site& b, const Site& c,
+                const std::array<std::size_t, 3>& numbers, int sign)
   {
-    const std::array<Vector, 3> sides{m_state.exact_vector(corners[1], corners[2]),
-                                      m_state.exact_vector(corners[2], corners[0]),
-                                      m_state.exact_vector(corners[0], corners[1])};
+    const std::array<Vector, 3> sides{m_geometry.exact_vector(b, c), m_geometry.exact_vector(c, a),
+                                      m_geometry.exact_vector(a, b)};
     const Number doubled_area = cross(sides[0], sides[1]);
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
@@ -174,10 +180,7 @@ public:
   }
 
 private:
-  static Number dot(const Vector& v, const Vector& w) { return v.x * w.x + v.y * w.y; }
-  static Number cross(const Vector& v, const Vector& w) { return v.x * w.y - v.y * w.x; }
-
-  const State& m_state;
+  const Geometry m_geometry;
   std::vector<Number> m_parts;
 };
 
