@@ -7,11 +7,11 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Voronoi_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/number_type_basic.h>
 
 #include <cmath>
 #include <cstddef>
@@ -68,8 +68,11 @@ public:
   /// representative gets the gradient for all of them together, and the others get 0. Removed ids
   /// have 0.
   ///
-  /// Cost: linear. \throws Point_count_error_2 if there are not as many weights as ids, or as
-  /// pieces; nothing changes. \pre `cells.has_pieces()`
+  /// Cost: linear.
+  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
+  /// \throws Point_count_error_2 if there are not as many weights as ids, or as pieces; nothing
+  /// changes.
+  /// \pre `cells.has_pieces()`
   template <class Dynamic>
   void compute(const Dynamic& dt, const Cells& cells, const std::vector<double>& area_weights,
                const std::vector<double>& length_weights)
@@ -80,14 +83,15 @@ public:
       throw Point_count_error_2(ids, area_weights.size());
     if (length_weights.size() != cells.pieces().size())
       throw Point_count_error_2(cells.pieces().size(), length_weights.size());
-    find_weights_of_cells(dt, area_weights);
+    const Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic> space(dt);
+    find_weights_of_cells(space, area_weights);
     m_by_positions.reserve(ids);
     m_by_radii.reserve(ids); // nothing throws from here on
     m_by_positions.assign(ids, {0, 0});
     m_by_radii.assign(ids, 0);
     for (size_type id = 0; id < ids; ++id)
       if (cells.first_pieces()[id] < cells.first_pieces()[id + 1])
-        add_cell(dt, cells, id, m_weights[id], length_weights);
+        add_cell(space, cells, id, length_weights);
   }
 
   /// @}
@@ -116,50 +120,27 @@ private:
   };
 
   // Points that coincide share the area equally, so the weight of their cell is the mean of theirs.
-  template <class Dynamic>
-  void find_weights_of_cells(const Dynamic& dt, const std::vector<double>& weights)
+  template <class Space>
+  void find_weights_of_cells(const Space& space, const std::vector<double>& weights)
   {
     m_by_positions.clear();
     m_by_radii.clear();
-    m_weights.assign(weights.size(), 0);
-    m_sharers.assign(weights.size(), 0);
+    m_weights.assign(space.number_of_cells(), 0);
+    m_sharers.assign(space.number_of_cells(), 0);
     for (size_type id = 0; id < weights.size(); ++id)
-      if (dt.has_id(id)) {
-        m_weights[dt.representative(id)] += weights[id];
-        ++m_sharers[dt.representative(id)];
+      if (space.has_id(id)) {
+        m_weights[space.cell(id)] += weights[id];
+        ++m_sharers[space.cell(id)];
       }
-    for (size_type id = 0; id < weights.size(); ++id)
-      m_weights[id] /= m_sharers[id] > 0 ? m_sharers[id] : 1;
   }
 
-  template <class Dynamic>
-  static Vector position(const Dynamic& dt, size_type id)
-  {
-    const auto& p = dt.point(id);
-    return {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
-  }
-
-  template <class Dynamic>
-  static Vector way(const Dynamic& dt, size_type id, const Piece& piece)
-  {
-    const Vector p = position(dt, id), q = position(dt, piece.other);
-    if constexpr (Dynamic::Frame::is_periodic) {
-      const auto& cell = dt.cell();
-      const auto times = [](int number, double x) { return number == 0 ? 0 : number * x; };
-      const auto& [i, j] = piece.shift;
-      return {q.x - p.x + (times(i, cell.ax()) + times(j, cell.bx())),
-              q.y - p.y + (times(i, cell.ay()) + times(j, cell.by()))};
-    } else
-      return {q.x - p.x, q.y - p.y};
-  }
-
-  template <class Dynamic>
-  static Curve curve(const Dynamic& dt, const Cells& cells, size_type id, const Piece& piece)
+  template <class Space>
+  static Curve curve(const Space& space, const Cells& cells, size_type id, const Piece& piece)
   {
     if (piece.angle > 0)
       return {Curve::CIRCLE, id, {0, 0}, {0, 0}};
     if (piece.side != Side::WALL)
-      return {Curve::BISECTOR, piece.other, way(dt, id, piece), {0, 0}};
+      return {Curve::BISECTOR, piece.other, space.vector(id, piece.other, piece.shift), {0, 0}};
     const std::vector<Vector>& corners = cells.domain();
     const Vector &p = corners[piece.other],
                  &q = corners[piece.other + 1 < corners.size() ? piece.other + 1 : 0];
@@ -230,24 +211,25 @@ private:
     add_velocity(id, second, x, dot(direction, {-m.y, m.x}) / sine);
   }
 
-  template <class Dynamic>
-  void add_cell(const Dynamic& dt, const Cells& cells, size_type id, double area_weight,
+  template <class Space>
+  void add_cell(const Space& space, const Cells& cells, size_type id,
                 const std::vector<double>& length_weights)
   {
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    const double area_weight = m_weights[space.cell(id)] / m_sharers[space.cell(id)];
     const size_type first = cells.first_pieces()[id], beyond = cells.first_pieces()[id + 1];
-    const Vector p = position(dt, id);
-    const auto relative = [&](const Vector& x) { return Vector{x.x - p.x, x.y - p.y}; };
+    const Vector p = space.position(id);
     for (size_type i = first; i < beyond; ++i) {
       const size_type k = i + 1 < beyond ? i + 1 : first;
       const Piece &piece = cells.pieces()[i], &next = cells.pieces()[k];
-      const Curve here = curve(dt, cells, id, piece);
-      const Vector from = relative(piece.from), to = relative(piece.to);
+      const Curve here = curve(space, cells, id, piece);
+      const Vector from = piece.from - p, to = piece.to - p;
       const double weight = length_weights[i];
       const double curvature = here.kind == Curve::CIRCLE ? 1 / cells.radii()[id] : 0;
       add_integral(id, here, piece, from, to, area_weight + weight * curvature);
       if (i == k)
         continue; // a whole circle has no corner
-      Curve there = curve(dt, cells, id, next);
+      Curve there = curve(space, cells, id, next);
       const Vector along = turned_left(normal(here, to)),
                    along_next = turned_left(normal(there, to));
       // if the neighbor's circle ends a contact here, both pieces are on one bisector
@@ -265,7 +247,7 @@ private:
 
   std::vector<Vector> m_by_positions;
   std::vector<double> m_by_radii;
-  std::vector<double> m_weights, m_sharers; // of the cells of representatives
+  std::vector<double> m_weights, m_sharers; // of the cells
 };
 
 } // namespace CGAL

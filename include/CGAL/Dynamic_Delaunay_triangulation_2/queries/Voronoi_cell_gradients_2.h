@@ -259,7 +259,7 @@ private:
   void copy_to_ids(const Space& space)
   {
     m_gradients.resize(space.number_of_ids()); // throws nothing
-    space.for_each_range(space.number_of_ids(), [&](Index first, Index beyond) {
+    space.for_each_range(space.number_of_ids(), [&](std::size_t, Index first, Index beyond) {
       for (Index id = first; id < beyond; ++id) {
         const Cell cell = space.has_id(id) ? m_cells[space.cell(id)] : Cell();
         const double share = cell.points > 0 ? 1 / cell.points : 0;

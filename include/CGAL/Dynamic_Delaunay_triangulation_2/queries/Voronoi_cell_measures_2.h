@@ -7,13 +7,13 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Exact_lines_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Cell_boundary_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Cell_cutters_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Voronoi_face_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Voronoi_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
@@ -21,7 +21,6 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -48,7 +47,8 @@ them has an entry for every id.
 - An unbounded cell, and a clipped one without area, have no centroid. The point's own position
   takes its place: a relaxation leaves the point where it is.
 - A clipped cell that does not reach into the box has the shape index 0. Without area, but with a
-  perimeter, the shape index is infinite.
+  perimeter, the shape index is infinite. Where a cell touches the box only from outside, rounding
+  may leave it a tiny area, and so a centroid there.
 - Removed ids have 0 for all measures.
 
 For a `Dynamic_population_2`, the index of a cell is `population.id(user_id)`.
@@ -71,12 +71,12 @@ between points are rounded as their coordinates are: points far from the origin 
 sooner.
 
 <b>Clipped cells.</b> The box is cut by the bisector of the point and each of its Delaunay
-neighbors, one after the other. The result is the cell, since the cell is where the point is as near
-as any of its Delaunay neighbors. Nothing is divided by values that may vanish: flat faces and
-points on a line are no special cases. Two neighbors cut along the same line, rounding included, so
-no area between them is lost or counted twice. With \f$D\f$ the diameter of the box, corners of
-cells have errors of about \f$10^{-16} D\f$, and areas of about \f$10^{-16} D^2\f$, however far away
-the points are: if they are several diameters away, exact arithmetic places their bisectors. Areas
+neighbors, one after the other, unless these bisectors enclose a cell that is all in the box. The
+result is the cell, since the cell is where the point is as near as any of its Delaunay neighbors.
+Nothing is divided by values that may vanish: flat faces and points on a line are no special cases.
+With \f$D\f$ the diameter of the box, corners of cells are off by about \f$10^{-16} D\f$ across
+their sides, and areas by about \f$10^{-16} D^2\f$, however far away the points are: if they are two
+diameters away, exact arithmetic places their bisectors. So areas add up but for rounding. Areas
 are never negative. Coordinates that are no doubles are rounded first. The centroid is a mean of
 places between these corners, with weights that are never negative. So it stays between them,
 however thin the cell is. Where a cell is about as wide as it is long, the centroid is as accurate
@@ -100,8 +100,6 @@ class Voronoi_cell_measures_2
   using Face = Dynamic_Delaunay_triangulations_2::internal::Voronoi_face_2;
   template <class Dynamic>
   using Space = Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic>;
-  template <class Dynamic>
-  using Differences = Dynamic_Delaunay_triangulations_2::internal::Vertex_differences_2<Dynamic>;
 
 public:
   /// \name Types
@@ -167,9 +165,8 @@ public:
     check_extent("the height of the box", box.ymax() - box.ymin(), largest);
     const Space<Dynamic> space(dt);
     start(space);
-    m_cell_centroids.resize(m_cells.size());
-    clip_cells(dt, box);
-    copy_to_ids(space, [&](Index, Index c) { return m_cell_centroids[c]; });
+    cut_cells(space, {box.xmin(), box.ymin()}, {box.xmax(), box.ymax()});
+    copy_to_ids(space, [&](Index, Index c) { return m_cells[c].moment; });
   }
 
   /// measures the parts of the cells in a box of the kernel, whose corners are rounded to doubles.
@@ -201,7 +198,8 @@ private:
   struct Cell
   {
     double area = 0, perimeter = 0;
-    Position moment{0, 0}; // of a whole cell: three times the area times the vector to the centroid
+    Position moment{0, 0}; // of a clipped cell the centroid, of a whole one three times the area
+                           // times the vector there
     double points = 1;     // the number of points that share it
 
     // Later additions leave infinity infinite.
@@ -243,7 +241,7 @@ private:
     for (std::vector<double>* measures : {&m_areas, &m_perimeters, &m_shape_indices})
       measures->resize(space.number_of_ids()); // throws nothing
     m_centroids.resize(space.number_of_ids());
-    space.for_each_range(space.number_of_ids(), [&](Index first, Index beyond) {
+    space.for_each_range(space.number_of_ids(), [&](std::size_t, Index first, Index beyond) {
       for (Index id = first; id < beyond; ++id) {
         const bool is_there = space.has_id(id);
         const Index c = is_there ? space.cell(id) : 0;
@@ -283,117 +281,30 @@ private:
 
   // CLIPPED CELLS -------------------------------------------------------------------------------
 
-  // The corners of what is left of the box, counterclockwise, and memory for the next cut.
-  struct Polygon
+  template <class Its_space>
+  void cut_cells(const Its_space& space, const Position& low, const Position& high)
   {
-    std::vector<Position> corners{}, clipped{};
-
-    // Cuts off the part where the scalar product with `direction` is larger than `bound`. The
-    // neighbor's cell is clipped with the opposite signs of both, and the same rounding errors:
-    // along the same line.
-    void clip(const Position& direction, double bound)
-    {
-      using Dynamic_Delaunay_triangulations_2::internal::dot;
-      if (corners.empty())
-        return;
-      const auto excess_of = [&](const Position& p) { return dot(direction, p) - bound; };
-      clipped.clear();
-      Position last = corners.back();
-      double last_excess = excess_of(last);
-      for (const Position& corner : corners) {
-        const double excess = excess_of(corner);
-        if ((last_excess > 0) != (excess > 0)) {
-          const double t = last_excess / (last_excess - excess);
-          clipped.push_back({last.x + t * (corner.x - last.x), last.y + t * (corner.y - last.y)});
-        }
-        if (!(excess > 0))
-          clipped.push_back(corner);
-        last = corner;
-        last_excess = excess;
+    using namespace Dynamic_Delaunay_triangulations_2::internal;
+    m_parts.resize((std::max)(space.number_of_ranges(m_cells.size()), m_parts.size()));
+    space.for_each_range(m_cells.size(), [&](std::size_t part, Index first, Index beyond) {
+      Cut_cell_2& cell = m_parts[part];
+      for (Index c = first; c < beyond; ++c) {
+        if (!space.is_cell(c))
+          continue;
+        const size_type id = space.id_of_cell(c);
+        cut_out_of_box(space, id, low, high, cell);
+        const auto measures =
+            measures_of_polygon(cell.polygon.corners(), cell.origin, space.position(id));
+        m_cells[c] = {measures.area, measures.perimeter, measures.centroid};
       }
-      corners.swap(clipped);
-    }
-  };
-
-  template <class Dynamic>
-  void clip_cells(const Dynamic& dt, const Bbox_2& box)
-  {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const auto frame = dt.frame();
-    const Differences<Dynamic> vector(dt);
-    // relative to its center the box is the same for all points
-    const Position least{box.xmin(), box.ymin()}, most{box.xmax(), box.ymax()};
-    const auto [center, reach] = Surroundings_2(least, most);
-    const Position low = least - center, high = most - center;
-    const auto clip_from_afar = [&, center = center, reach = reach](Index v, Index w,
-                                                                    Polygon& polygon) {
-      const Position p = frame.position(v), q = frame.position(w);
-      const Division_2 sides = division(p - center, q - center, vector(v, w), reach);
-      if (sides == Division_2::ALL_BEYOND)
-        polygon.corners.clear();
-      if (sides != Division_2::UNKNOWN)
-        return;
-      const auto [direction, product] = exact_bisector(p, q, vector(v, w), center);
-      polygon.clip(direction, product);
-    };
-    const auto clip_cell = [&, center = center, reach = reach](Index v, Polygon& polygon) {
-      polygon.corners = {low, {high.x, low.y}, high, {low.x, high.y}};
-      const Position p = frame.position(v) - center;
-      frame.state().for_each_finite_neighbor(v, [&](Index w) {
-        const Position q = frame.position(w) - center;
-        const double distances = Surroundings_2::size(p) + Surroundings_2::size(q);
-        if (distances > 8 * reach) // the same for both cells, so that they are cut alike
-          return clip_from_afar(v, w, polygon);
-        const Position middle{p.x / 2 + q.x / 2, p.y / 2 + q.y / 2};
-        const Position direction = vector(v, w);
-        polygon.clip(direction, dot(direction, middle));
-      });
-      const std::optional<Position> centroid = measure(polygon.corners, m_cells[v]);
-      m_cell_centroids[v] =
-          centroid ? Position{center.x + centroid->x, center.y + centroid->y} : frame.position(v);
-    };
-    using Parts = typename Dynamic::Frame::Parts;
-    const std::size_t vertices = frame.number_of_vertices();
-    m_polygons.resize((std::max)(Parts::number(vertices), m_polygons.size()));
-    Parts::for_each(vertices, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-      for (std::size_t v = first; v < beyond; ++v)
-        clip_cell(Index(v + 1), m_polygons[part]);
     });
-  }
-
-  // Adds up the triangles at one corner, which are as small as the cell, however far it is from the
-  // origin. Returns the centroid, if it exists.
-  static std::optional<Position> measure(const std::vector<Position>& corners, Cell& cell)
-  {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    double weight = 0;
-    Position mean{0, 0}; // of the triangles' centroids, relative to that corner
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      const Position& p = corners[i];
-      const Position& q = corners[i + 1 < corners.size() ? i + 1 : 0];
-      const Position u = p - corners[0], v = q - corners[0];
-      const double doubled_area = cross(u, v);
-      cell.area += doubled_area / 2;
-      cell.perimeter += distance(p, q);
-      if (!(doubled_area > 0)) // rounding can invert triangles of thin cells
-        continue;
-      weight += doubled_area;
-      const double share = doubled_area / weight;
-      mean.x += share * ((u.x + v.x) / 3 - mean.x);
-      mean.y += share * ((u.y + v.y) / 3 - mean.y);
-    }
-    cell.area = (std::max)(cell.area, 0.0); // rounding can make the sum negative
-    if (weight == 0)
-      return std::nullopt;
-    return Position{corners[0].x + mean.x, corners[0].y + mean.y};
   }
 
   std::vector<double> m_areas, m_perimeters, m_shape_indices;
   std::vector<Position> m_centroids;
   std::vector<Cell> m_cells;
   Dynamic_Delaunay_triangulations_2::internal::Cell_sums_2<Cell> m_sums;
-  std::vector<Position> m_cell_centroids; // of each cell, if cells are clipped
-  std::vector<Polygon> m_polygons;        // of each part
+  std::vector<Dynamic_Delaunay_triangulations_2::internal::Cut_cell_2> m_parts; // memory of each
 };
 
 } // namespace CGAL

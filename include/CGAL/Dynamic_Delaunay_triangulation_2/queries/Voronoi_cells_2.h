@@ -77,8 +77,7 @@ void for_each_voronoi_edge(const Dynamic& dt, const Function& f)
       continue;
     for_each_voronoi_edge_of(space, i, [&](const Voronoi_neighbor_2& neighbor, double length) {
       // each edge is met at both of its ends
-      if (neighbor.is_infinite() || neighbor.id < i ||
-          (neighbor.id == i && neighbor.shift < Periodic_shift_2{0, 0}))
+      if (neighbor.id < i || (neighbor.id == i && neighbor.shift < Periodic_shift_2{0, 0}))
         return;
       if constexpr (Dynamic::Frame::is_periodic)
         f(i, neighbor.id, neighbor.shift, length);

@@ -6,7 +6,10 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Cell_boundary_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Cell_cutters_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Cell_in_domain_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Cell_pass_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Polygonal_domain_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cells/Voronoi_space_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
@@ -74,12 +77,14 @@ the result is the same. Nothing of this is compiled unless its header is include
 \sa `Bounded_voronoi_cells_2`
 */
 class Voronoi_cells_in_domain_2
-#ifndef DOXYGEN_RUNNING
-  : private Bounded_voronoi_cells_2
-#endif
 {
   using Base = Bounded_voronoi_cells_2;
   using Domain = Dynamic_Delaunay_triangulations_2::internal::Polygonal_domain_2;
+  using Radii = Dynamic_Delaunay_triangulations_2::internal::Cell_radii_2;
+  using Pass = Dynamic_Delaunay_triangulations_2::internal::Cell_pass_2;
+  using Part = Dynamic_Delaunay_triangulations_2::internal::Cell_part_2;
+  template <class Dynamic>
+  using Space = Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic>;
 
 public:
   /// \name Types
@@ -180,8 +185,7 @@ public:
   template <class Dynamic>
   void compute(const Dynamic& dt, double radius = std::numeric_limits<double>::infinity())
   {
-    check_radius(radius, true);
-    compute_with(dt, [=](size_type) { return radius; });
+    compute(dt, Radii(radius, true));
   }
   /// computes the cells of all points, with a radius for each id. The radii of removed ids are
   /// ignored.
@@ -190,8 +194,7 @@ public:
   template <class Dynamic>
   void compute(const Dynamic& dt, const std::vector<double>& radii)
   {
-    check_radii(dt, radii, true);
-    compute_with(dt, [&](size_type id) { return radii[id]; });
+    compute(dt, Radii(dt, radii, true));
   }
 
   /// returns the cell of one point, which `compute()` would give if all points had this radius. If
@@ -206,12 +209,12 @@ public:
   Cell cell(const Dynamic& dt, size_type id,
             double radius = std::numeric_limits<double>::infinity()) const
   {
-    check_plane<Dynamic>();
-    check_radius(radius, true);
+    const Radii radii(radius, true);
     Part part;
-    const Measures measures = measure_one(dt, id, radius, Cutter_2(*m_domain, m_rule), part);
+    const Measures measures =
+        Pass::measure_one(space_of(dt), id, radii, Cutter_2(*m_domain, m_rule), part);
     Cell cell{measures, std::move(part.pieces), {}, {}};
-    for (const Ring& ring : part.rings) {
+    for (const auto& ring : part.rings) {
       cell.first_pieces.push_back(ring.first);
       cell.ring_areas.push_back(ring.area);
     }
@@ -224,32 +227,34 @@ public:
   /// @{
 
   /// the area of each id's cell.
-  const std::vector<double>& areas() const { return Base::areas(); }
+  const std::vector<double>& areas() const { return m_cells.areas(); }
   /// the length of the whole boundary of each id's cell, holes included.
-  const std::vector<double>& perimeters() const { return Base::perimeters(); }
+  const std::vector<double>& perimeters() const { return m_cells.perimeters(); }
   /// the centroid of each id's cell. It may be outside of the cell.
-  const std::vector<Position>& centroids() const { return Base::centroids(); }
+  const std::vector<Position>& centroids() const { return m_cells.centroids(); }
   /// the length on walls of each id's cell.
-  const std::vector<double>& wall_lengths() const { return Base::wall_lengths(); }
+  const std::vector<double>& wall_lengths() const { return m_cells.wall_lengths(); }
   /// the free length of each id's cell.
-  const std::vector<double>& free_lengths() const { return Base::free_lengths(); }
+  const std::vector<double>& free_lengths() const { return m_cells.free_lengths(); }
   /// the radius that was given for each id; 0 for removed ids.
-  const std::vector<double>& radii() const { return Base::radii(); }
+  const std::vector<double>& radii() const { return m_cells.radii(); }
 
   /// where the rings of each id begin; one more entry than there are ids.
-  const std::vector<size_type>& first_rings() const { return m_first_rings; }
+  const std::vector<size_type>& first_rings() const { return m_cells.first_rings(); }
   /// where the pieces of each ring begin in `pieces()`; one more entry than there are rings.
-  const std::vector<size_type>& first_pieces() const { return m_first_pieces_of_rings; }
+  const std::vector<size_type>& first_pieces() const { return m_cells.first_pieces_of_rings(); }
   /// the area that each ring encloses, negative of a hole.
-  const std::vector<double>& ring_areas() const { return m_ring_areas; }
+  const std::vector<double>& ring_areas() const { return m_cells.ring_areas(); }
   /// the pieces of all rings.
-  const std::vector<Piece>& pieces() const { return Base::pieces(); }
+  const std::vector<Piece>& pieces() const { return m_cells.pieces(); }
 
   /// @}
 
 private:
   using Face_handle = Domain::Face_handle;
   using Clipped = Dynamic_Delaunay_triangulations_2::internal::Cell_in_domain_2;
+  using Boundary = Dynamic_Delaunay_triangulations_2::internal::Cell_boundary_2;
+  using Label = Dynamic_Delaunay_triangulations_2::internal::Cell_label_2;
 
   // Cuts cells, and adds their pieces and rings to a part.
   class Cutter_2
@@ -262,47 +267,32 @@ private:
     {
     }
 
-    template <class Space, class Radius>
-    Measures operator()(const Space& space, size_type id, const Radius& radius, Part& part)
+    template <class Its_space>
+    Measures operator()(const Its_space& space, size_type id, const Radii& radii, Part& part)
     {
       const Position p = space.position(id);
       const Face_handle face = m_domain.locate(Domain::Point(p.x, p.y), m_last_face);
       if (m_rule != Rule::WHOLE && !face->info().is_inside)
         return {0, 0, p, 0, 0};
-      if (m_domain.surroundings().are_seen_from_afar(p, radius(id)))
-        return measure_from_afar(space, id, radius, face, part);
-      cut_cell(
-          space, id, radius, [&] { return m_domain.reach(p); }, part.polygon, part.labels);
-      if (m_clipped.start(p, radius(id), face, part.polygon))
-        return measure_clipped(p, p, id, radius(id), part);
+      const bool is_afar = cut_by_star(space, id, radii, m_domain.surroundings(), part.cell);
+      if (part.cell.polygon.sides().empty())
+        return {0, 0, p, 0, 0};
+      if (m_clipped.start(part.cell.origin, face, part.cell.polygon) || is_afar)
+        return measure_clipped(p, id, radii(id), part);
       part.rings.push_back({part.pieces.size(), 0});
-      const Measures measures = measure(p, p, id, radius(id), part);
+      const Measures measures = part.cell.measures(p, id, radii(id), &part.pieces);
       part.rings.back().area = measures.area;
       return measures;
     }
 
   private:
-    template <class Space, class Radius>
-    Measures measure_from_afar(const Space& space, size_type id, const Radius& radius,
-                               Face_handle face, Part& part)
-    {
-      const Surroundings domain = m_domain.surroundings();
-      const Position p = space.position(id);
-      cut_from_afar(space, id, radius, domain, part.polygon, part.labels);
-      if (part.polygon.sides().empty())
-        return {0, 0, p, 0, 0};
-      m_clipped.start(domain.center, std::numeric_limits<double>::infinity(), face, part.polygon);
-      return measure_clipped(domain.center, p, id, radius(id), part);
-    }
-
-    Measures measure_clipped(const Position& origin, const Position& p, size_type id, double radius,
-                             Part& part)
+    Measures measure_clipped(const Position& p, size_type id, double radius, Part& part)
     {
       if (m_rule == Rule::WHOLE)
         m_clipped.take_all();
       else if (m_rule == Rule::VISIBLE)
         m_clipped.take_visible();
-      Boundary_2 boundary(origin, p, id, radius, &part.pieces);
+      Boundary boundary(part.cell.origin, p, id, radius, &part.pieces);
       m_clipped.for_each_ring([&](double area, const std::vector<Clipped::Piece>& pieces) {
         part.rings.push_back({part.pieces.size(), area});
         for (const Clipped::Piece& piece : pieces)
@@ -318,10 +308,10 @@ private:
     static Label label(const Clipped::Piece& piece, size_type id, const Part& part)
     {
       if (piece.kind == Clipped::Kind::CELL)
-        return part.labels[piece.number];
+        return part.cell.labels[piece.number];
       if (piece.kind == Clipped::Kind::WALL)
         return {Side::WALL, piece.number, {0, 0}, 0};
-      return free_label(id);
+      return Label::of_free(id);
     }
 
     const Domain& m_domain;
@@ -331,55 +321,21 @@ private:
   };
 
   template <class Dynamic>
-  static void check_plane()
+  static Space<Dynamic> space_of(const Dynamic& dt)
   {
     static_assert(!Dynamic::Frame::is_periodic, "domains with walls are in the plane");
+    return Space<Dynamic>(dt);
   }
 
-  template <class Dynamic, class Radius>
-  void compute_with(const Dynamic& dt, const Radius& radius)
+  template <class Dynamic>
+  void compute(const Dynamic& dt, const Radii& radii)
   {
-    check_plane<Dynamic>();
-    const Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic> space(dt);
-    try {
-      compute_in(space, radius, Cutter_2(*m_domain, m_rule));
-      collect_rings();
-    } catch (...) {
-      clear();
-      clear_rings();
-      throw;
-    }
-  }
-
-  // Lists the rings of all parts in the order of ids, as the pieces are.
-  void collect_rings()
-  {
-    clear_rings();
-    m_first_rings.push_back(0);
-    for (size_type id = 0; id < m_sources.size(); ++id) {
-      const Source& source = m_sources[id];
-      for (size_type i = 0; i < source.rings; ++i) {
-        const Ring& ring = m_parts[source.part].rings[source.first_ring + i];
-        m_first_pieces_of_rings.push_back(Base::first_pieces()[id] + ring.first -
-                                          source.first_piece);
-        m_ring_areas.push_back(ring.area);
-      }
-      m_first_rings.push_back(m_ring_areas.size());
-    }
-    m_first_pieces_of_rings.push_back(pieces().size());
-  }
-
-  void clear_rings()
-  {
-    m_first_rings.clear();
-    m_first_pieces_of_rings.clear();
-    m_ring_areas.clear();
+    m_cells.run(space_of(dt), radii, Cutter_2(*m_domain, m_rule), true);
   }
 
   std::shared_ptr<const Domain> m_domain; // copies share it
   Rule m_rule;
-  std::vector<size_type> m_first_rings, m_first_pieces_of_rings;
-  std::vector<double> m_ring_areas;
+  Pass m_cells;
 };
 
 } // namespace CGAL

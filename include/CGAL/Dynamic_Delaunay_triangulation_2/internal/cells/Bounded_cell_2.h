@@ -38,22 +38,24 @@ class Bounded_cell_2
 public:
   static constexpr std::size_t no_label = std::size_t(-1);
 
-  // Begins with a square that is larger than the disc. Its sides have no label.
-  void start(double radius, double half_width)
+  // Begins with a box. Its sides have no label. If the polygon may be flat, cuts leave also a side
+  // or a corner.
+  void start_box(double radius, const Position_2& low, const Position_2& high, bool may_be_flat)
   {
-    const double w = half_width;
     m_radius = radius;
-    m_corners = {{-w, -w}, {w, -w}, {w, w}, {-w, w}};
-    m_sides = {{{0, -1}, w, no_label},
-               {{1, 0}, w, no_label},
-               {{0, 1}, w, no_label},
-               {{-1, 0}, w, no_label}};
+    m_may_be_flat = may_be_flat;
+    m_corners = {low, {high.x, low.y}, high, {low.x, high.y}};
+    m_sides = {{{0, -1}, -low.y, no_label},
+               {{1, 0}, high.x, no_label},
+               {{0, 1}, high.y, no_label},
+               {{-1, 0}, -low.x, no_label}};
   }
 
   // Begins as a copy of another cell.
   void start(const Bounded_cell_2& cell)
   {
     m_radius = cell.m_radius;
+    m_may_be_flat = cell.m_may_be_flat;
     m_corners = cell.m_corners;
     m_sides = cell.m_sides;
   }
@@ -62,11 +64,11 @@ public:
   void start(double radius)
   {
     m_radius = radius;
+    m_may_be_flat = false;
     m_corners.clear();
     m_sides.clear();
   }
-  // Adds the next side counterclockwise, toward the next neighbor of the cell's point, which must
-  // be no corner of the hull.
+  // Adds the next side counterclockwise, toward the next neighbor of the cell's point.
   void add_side(const Position_2& normal, double distance, std::size_t label)
   {
     // Filled in place, like chords: copying a side waits until each member is stored, which took a
@@ -76,8 +78,8 @@ public:
     side.distance = distance;
     side.label = label;
   }
-  // Finds the corners between the sides. False where two sides may not meet: then the polygon has
-  // to be cut out of a square.
+  // Finds the corners between the sides. False where two sides may not meet, as at a corner of the
+  // hull: then the polygon has to be cut out of another one.
   bool close()
   {
     for (std::size_t i = 0; i < m_sides.size(); ++i) {
@@ -124,7 +126,7 @@ public:
   }
 
   // Cuts off what is beyond a line; the new side gets the label. If only a side or a corner would
-  // be left, on the line, nothing is left.
+  // be left, on the line, nothing is left, unless the polygon may be flat.
   void cut(const Position_2& normal, double distance, std::size_t label)
   {
     const Side cutting{normal, distance, label};
@@ -134,7 +136,8 @@ public:
     const auto is_beyond = [](double excess) { return excess > 0; };
     if (std::none_of(m_excess.begin(), m_excess.end(), is_beyond))
       return;
-    if (std::none_of(m_excess.begin(), m_excess.end(), [](double excess) { return excess < 0; })) {
+    const auto is_before = [](double excess) { return excess < 0; };
+    if (!m_may_be_flat && std::none_of(m_excess.begin(), m_excess.end(), is_before)) {
       m_corners.clear();
       m_sides.clear();
       return;
@@ -157,18 +160,18 @@ public:
   template <class Chord_function, class Arc_function>
   void for_each_piece(const Chord_function& chord, const Arc_function& arc)
   {
-    find_chords();
-    if (m_chords.empty()) {
+    const std::size_t chords = find_chords();
+    if (chords == 0) {
       if (is_disc_inside())
         arc(Position_2{m_radius, 0}, Position_2{m_radius, 0}, full_turn);
       return;
     }
-    for (std::size_t i = 0; i < m_chords.size(); ++i) {
+    for (std::size_t i = 0; i < chords; ++i) {
       const Chord& here = m_chords[i];
-      const Chord& next = m_chords[i + 1 < m_chords.size() ? i + 1 : 0];
+      const Chord& next = m_chords[i + 1 < chords ? i + 1 : 0];
       const Side& side = m_sides[here.side];
       chord(side.label, side.normal, side.distance, here.first, here.last);
-      if (here.is_before_arc) {
+      if (next.is_after_arc) {
         const Position_2 from = place(here.side, here.last), to = place(next.side, next.first);
         if (const double angle = angle_around(here.side, from, next.side, to); angle > 0)
           arc(from, to, angle);
@@ -183,6 +186,8 @@ public:
     std::size_t label;
   };
   const std::vector<Side>& sides() const { return m_sides; }
+  const std::vector<Position_2>& corners() const { return m_corners; }
+  double radius() const { return m_radius; }
 
 private:
   static constexpr double parallel = 1e-6; // the largest sine between lines that count as parallel
@@ -192,7 +197,7 @@ private:
   {
     std::size_t side;
     double first, last;
-    bool is_before_arc;
+    bool is_after_arc;
   };
 
   void append(const Position_2& corner, const Side& side)
@@ -232,44 +237,37 @@ private:
 
   // An arc is where a side, or the end of one, is outside of the disc. Corners do not show this: a
   // chord may end at a corner on the circle, with arcs and sides outside before the next chord.
-  void find_chords()
+  //
+  // Returns the number of chords. Branch-free: which sides reach into the disc, and whether they
+  // end in it, is as random as the points are, so most branches would be mispredicted. A side
+  // without chord writes one that the next side overwrites.
+  std::size_t find_chords()
   {
-    m_chords.clear();
-    bool is_arc_before_first = false;
-    const auto leave_disc = [&] {
-      (m_chords.empty() ? is_arc_before_first : m_chords.back().is_before_arc) = true;
-    };
+    m_chords.resize((std::max)(m_chords.size(), m_corners.size() + 1));
+    std::size_t chords = 0;
+    bool is_outside = false; // somewhere since the last chord
     for (std::size_t i = 0; i < m_corners.size(); ++i) {
       const Side& side = m_sides[i];
-      if (side.label == no_label || !(std::abs(side.distance) < m_radius)) {
-        leave_disc();
-        continue;
-      }
       const Position_2 t = turned_left(side.normal);
       const double from = dot(m_corners[i], t);
       const double to = dot(m_corners[i + 1 < m_corners.size() ? i + 1 : 0], t);
-      if (!(from < to))
-        continue; // a side that exists by rounding only
-      const double half = std::sqrt((m_radius - side.distance) * (m_radius + side.distance));
-      if (from < -half)
-        leave_disc();
+      const bool reaches_in = (side.label != no_label) & (std::abs(side.distance) < m_radius);
+      const double square = (m_radius - side.distance) * (m_radius + side.distance);
+      const double half = std::sqrt((std::max)(square, 0.0));
+      const bool exists = from < to; // otherwise by rounding only
       const double first = (std::max)(from, -half), last = (std::min)(to, half);
-      if (first < last)
-        add_chord(i, first, last);
-      if (to > half)
-        leave_disc();
+      const bool is_chord = reaches_in & exists & (first < last);
+      is_outside |= (!reaches_in) | (exists & (from < -half));
+      Chord& chord = m_chords[chords];
+      chord.side = i;
+      chord.first = first;
+      chord.last = last;
+      chord.is_after_arc = is_outside;
+      chords += is_chord;
+      is_outside = (is_outside & (!is_chord)) | (reaches_in & exists & (to > half));
     }
-    if (is_arc_before_first && !m_chords.empty())
-      m_chords.back().is_before_arc = true;
-  }
-
-  void add_chord(std::size_t side, double first, double last)
-  {
-    Chord& chord = m_chords.emplace_back();
-    chord.side = side;
-    chord.first = first;
-    chord.last = last;
-    chord.is_before_arc = false;
+    m_chords.front().is_after_arc |= is_outside;
+    return chords;
   }
 
   bool is_disc_inside() const
@@ -307,10 +305,11 @@ private:
   }
 
   double m_radius = 0;
+  bool m_may_be_flat = false;
   std::vector<Position_2> m_corners, m_new_corners;
   std::vector<Side> m_sides, m_new_sides; // each after its corner
   std::vector<double> m_excess;           // of the corners
-  std::vector<Chord> m_chords;
+  std::vector<Chord> m_chords;            // and room for more
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

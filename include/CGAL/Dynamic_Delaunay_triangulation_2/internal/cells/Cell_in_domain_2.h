@@ -61,17 +61,17 @@ public:
 
   explicit Cell_in_domain_2(const Domain& domain)
     : m_domain(domain)
-    , m_portion_of_face(domain.number_of_faces(), none)
   {
   }
 
-  // Begins with the cell of p and its radius; p is in the closed `face`. The cell must stay until
-  // the next start(). False if all of the cell is in the domain.
-  bool start(const Position_2& p, double radius, Face_handle face, const Bounded_cell_2& cell)
+  // Begins with a cell relative to p, which is its point or the center of the domain; its point is
+  // in the closed `face`. The cell must stay until the next start(). False if all of it is in the
+  // domain.
+  bool start(const Position_2& p, Face_handle face, const Bounded_cell_2& cell)
   {
     m_p = p;
-    m_radius = radius;
     m_cell = &cell;
+    m_portion_of_face.resize(m_domain.number_of_faces(), none);
     m_portions.clear();
     if (m_domain.is_infinite(face))
       face = reached_face(face);
@@ -482,9 +482,9 @@ private:
       piece.is_used = true;
       is_point = is_point && is_negligible(piece);
       if (piece.kind == Kind::ARC) {
-        area += m_radius * m_radius * piece.angle / 2;
-        length += m_radius * piece.angle;
-        reach = (std::max)(reach, m_radius);
+        area += m_cell->radius() * m_cell->radius() * piece.angle / 2;
+        length += m_cell->radius() * piece.angle;
+        reach = (std::max)(reach, m_cell->radius());
       } else {
         area += piece.distance * (piece.last - piece.first) / 2;
         length += std::abs(piece.last - piece.first);
@@ -538,7 +538,6 @@ private:
 
   const Domain& m_domain;
   Position_2 m_p{0, 0};
-  double m_radius = 0;
   const Bounded_cell_2* m_cell = nullptr;
   Bounded_cell_2 m_polygon; // of a portion
   std::vector<Portion> m_portions;

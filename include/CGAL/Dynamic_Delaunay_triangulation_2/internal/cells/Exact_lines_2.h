@@ -64,6 +64,8 @@ struct Surroundings_2
     const double distance = size(p - center);
     return distance > 2 * reach && (std::isinf(radius) || distance + reach < radius);
   }
+  // An upper bound on the distances of all of them from p.
+  double reach_from(const Position_2& p) const { return size(p - center) + reach; }
 
   Position_2 center{0, 0};
   double reach = std::numeric_limits<double>::infinity();

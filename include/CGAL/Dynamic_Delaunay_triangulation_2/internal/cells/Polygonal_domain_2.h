@@ -114,13 +114,6 @@ public:
   static Position_2 corner(Vertex_handle v) { return {v->point().x(), v->point().y()}; }
 
   Surroundings_2 surroundings() const { return {m_least, m_most}; }
-  // Returns an upper bound on the distances of all corners from p.
-  double reach(const Position_2& p) const
-  {
-    const double x = (std::max)(std::abs(m_least.x - p.x), std::abs(m_most.x - p.x));
-    const double y = (std::max)(std::abs(m_least.y - p.y), std::abs(m_most.y - p.y));
-    return x + y;
-  }
 
 private:
   void insert_corners(const std::vector<Ring>& rings)
