@@ -11,8 +11,6 @@
 
 #include <mpi.h>
 
-#include <array>
-
 namespace CGAL {
 
 /*!
@@ -20,7 +18,7 @@ namespace CGAL {
 
 The Delaunay triangulation of moving points of the plane that are spread over the ranks of an MPI
 communicator: what `Dynamic_Delaunay_triangulation_2` is for one process.
-`Distributed_triangulation_base_2` documents all members other than those for edges and faces.
+`Distributed_triangulation_base_2` documents all members but the constructor.
 
 Where more than three points are on an empty circle, the diagonals go to the one with the smallest
 id, on all ranks.
@@ -40,15 +38,9 @@ class Distributed_dynamic_Delaunay_triangulation_2
   using Space = Dynamic_Delaunay_triangulations_2::internal::Distributed_plane_2<Kernel>;
   using Base = Distributed_triangulation_base_2<Space>;
   using Base::m_core;
-  using Base::points;
   using typename Base::Floating_point;
-  using typename Base::Index;
 
 public:
-  using typename Base::Id;
-  using typename Base::Point;
-  using typename Base::size_type;
-
   /// \name Creation
   /// @{
 
@@ -76,53 +68,6 @@ public:
   {
     const Floating_point floating_point;
     m_core.begin([] { return Space(); }, first, beyond, load_factor);
-  }
-
-  /// @}
-  /// \name Access
-  /// @{
-
-  /// the position of a point. \pre `holds(id)`
-  const Point& point(Id id) const { return points().point(points().place(id)); }
-
-  /// calls `f(i, j)` for each finite edge whose smaller id, `i`, this rank owns: over all ranks,
-  /// once for each edge. Of points that coincide, the one with the smallest id has the edges.
-  template <class Function>
-  void for_each_edge(const Function& f) const
-  {
-    const Floating_point floating_point;
-    m_core.for_each_edge([&](Index i, Index j) { f(points().id(i), points().id(j)); });
-  }
-
-  /// calls `f(ids)` for each finite face whose smallest id this rank owns: over all ranks, once for
-  /// each face. `ids` is an array of three ids, counterclockwise.
-  template <class Function>
-  void for_each_face(const Function& f) const
-  {
-    const Floating_point floating_point;
-    m_core.for_each_face([&](Index i, Index j, Index k) {
-      f(std::array<Id, 3>{points().id(i), points().id(j), points().id(k)});
-    });
-  }
-
-  /// calls `f(k, j)` for each point that this rank owns, the `k`-th of `owned_ids()`, and the id
-  /// `j` of each of its neighbors. Of points that coincide, the one with the smallest id has
-  /// neighbors.
-  template <class Function>
-  void for_each_neighbor(const Function& f) const
-  {
-    const Floating_point floating_point;
-    m_core.for_each_neighbor([&](size_type k, Index, Index j) { f(k, points().id(j)); });
-  }
-
-  /// calls `f(k, j)` for each point that this rank owns, the `k`-th of `owned_ids()`, that
-  /// coincides with other points. `j` is the smallest id of these points; but if the `k`-th point
-  /// has that id itself, `f` is called for the id `j` of each of the others.
-  template <class Function>
-  void for_each_duplicate(const Function& f) const
-  {
-    const Floating_point floating_point;
-    m_core.for_each_duplicate([&](size_type k, Index, Index j) { f(k, points().id(j)); });
   }
 
   /// @}

@@ -13,8 +13,6 @@
 
 #include <mpi.h>
 
-#include <array>
-
 namespace CGAL {
 
 /*!
@@ -24,7 +22,7 @@ The Delaunay triangulation of points that move in a periodic space, and are spre
 an MPI communicator: what `Dynamic_periodic_Delaunay_triangulation_2` is for one process, and
 `Distributed_dynamic_Delaunay_triangulation_2` for the plane. The cell may be any parallelogram, and
 may change with every frame: all ranks must give the same one. `Distributed_triangulation_base_2`
-documents all members other than those for edges, faces and cells.
+documents all members other than those for cells.
 
 Where more than three images are on an empty circle, the diagonals go to the one with the smallest
 id, and of images of that point to the leftmost, lowest one.
@@ -54,9 +52,7 @@ class Distributed_dynamic_periodic_Delaunay_triangulation_2
   using Space = Dynamic_Delaunay_triangulations_2::internal::Distributed_torus_2<Kernel>;
   using Base = Distributed_triangulation_base_2<Space>;
   using Base::m_core;
-  using Base::points;
   using typename Base::Floating_point;
-  using typename Base::Index;
 
 public:
   /// \name Types
@@ -64,7 +60,6 @@ public:
 
   using typename Base::Id;
   using typename Base::Point;
-  using typename Base::size_type;
   /// a vector.
   using Vector = typename Kernel::Vector_2;
 
@@ -119,81 +114,17 @@ public:
   /// \name Access
   /// @{
 
-  /// the position of a point as it was given last, rounded. \pre `holds(id)`
-  Point point(Id id) const
-  {
-    const Floating_point floating_point;
-    const auto entry = points().entry(points().place(id));
-    return Point(entry.x, entry.y);
-  }
   /// the vector from point i to the image of point j by `shift`, rounded. \pre `holds(i)` and
   /// `holds(j)`
   Vector vector(Id i, Id j, const Periodic_shift_2& shift) const
   {
-    const Point p = point(i), q = point(j);
+    const Point p = this->point(i), q = this->point(j);
     return Vector(q.x() - p.x() + (shift[0] * cell().ax() + shift[1] * cell().bx()),
                   q.y() - p.y() + (shift[0] * cell().ay() + shift[1] * cell().by()));
   }
   /// the cell of the last frame, rounded.
   const Periodic_cell_2& cell() const { return m_core.space().cell(); }
-
-  /// calls `f(i, j, shift)` for each edge whose smaller id, `i`, this rank owns: over all ranks,
-  /// once for each edge, also from a point to its own image. As in one process, the image of point
-  /// j by `shift`, a `Periodic_shift_2`, is a neighbor of point i, both as they were given last. Of
-  /// points that coincide, the one with the smallest id has the edges.
-  template <class Function>
-  void for_each_edge(const Function& f) const
-  {
-    const Floating_point floating_point;
-    m_core.for_each_edge(
-        [&](Index i, Index j) { f(points().id(i), points().id(j), shift_between(i, j)); });
-  }
-
-  /// calls `f(ids, shifts)` for each face whose smallest id this rank owns: over all ranks, once
-  /// for each face. The images of these three points by these shifts are its corners,
-  /// counterclockwise. The first id is the smallest one, and its shift is (0, 0).
-  template <class Function>
-  void for_each_face(const Function& f) const
-  {
-    const Floating_point floating_point;
-    m_core.for_each_face([&](Index i, Index j, Index k) {
-      f(std::array<Id, 3>{points().id(i), points().id(j), points().id(k)},
-        std::array<Periodic_shift_2, 3>{shift_between(i, i), shift_between(i, j),
-                                        shift_between(i, k)});
-    });
-  }
-
-  /// calls `f(k, j, shift)` for each point that this rank owns, the `k`-th of `owned_ids()`, and
-  /// the id `j` and shift of each of its neighbors. An edge from a point to its own image is met at
-  /// both of its ends. Of points that coincide, the one with the smallest id has neighbors.
-  template <class Function>
-  void for_each_neighbor(const Function& f) const
-  {
-    const Floating_point floating_point;
-    m_core.for_each_neighbor(
-        [&](size_type k, Index i, Index j) { f(k, points().id(j), shift_between(i, j)); });
-  }
-
-  /// calls `f(k, j, shift)` for each point that this rank owns, the `k`-th of `owned_ids()`, that
-  /// coincides with the image by `shift` of another. `j` is the smallest id of these points; but if
-  /// the `k`-th point has that id itself, `f` is called for the id `j` of each of the others.
-  template <class Function>
-  void for_each_duplicate(const Function& f) const
-  {
-    const Floating_point floating_point;
-    m_core.for_each_duplicate(
-        [&](size_type k, Index i, Index j) { f(k, points().id(j), shift_between(i, j)); });
-  }
-
   /// @}
-
-private:
-  // The shift of the image at place j after both are moved to have that at i where it was given.
-  Periodic_shift_2 shift_between(Index i, Index j) const
-  {
-    const Periodic_shift_2 &s = points().shift(i), &t = points().shift(j);
-    return {t[0] - s[0], t[1] - s[1]};
-  }
 };
 
 } // namespace CGAL

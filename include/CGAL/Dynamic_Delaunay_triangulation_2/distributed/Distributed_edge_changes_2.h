@@ -113,10 +113,11 @@ public:
   template <class Distributed>
   void compute(Distributed& dt)
   {
-    dt.ranks().agree("Distributed_edge_changes_2::compute()");
+    auto& ranks = Dynamic_Delaunay_triangulations_2::internal::Distributed_access_2::ranks(dt);
+    ranks.agree("Distributed_edge_changes_2::compute()");
     std::vector<Edge> edges;
     dt.for_each_edge([&](std::int64_t i, std::int64_t j) { edges.emplace_back(i, j); });
-    m_edges.compare(dt.ranks(), std::move(edges));
+    m_edges.compare(ranks, std::move(edges));
   }
 
   /// the created edges that are listed on this rank, in ascending order.

@@ -85,8 +85,7 @@ public:
   /// all lists.
   const std::vector<Id>& neighbors() const { return m_neighbors; }
   /// in periodic space, the shift of each entry of `neighbors()`: which image it is, as
-  /// `Distributed_dynamic_periodic_Delaunay_triangulation_2::for_each_neighbor()` says. Empty in
-  /// the plane.
+  /// `Distributed_triangulation_base_2::for_each_neighbor()` says. Empty in the plane.
   const std::vector<Periodic_shift_2>& shifts() const { return m_shifts; }
   /// the list of the `k`-th owned point. It is valid until the next `compute()`.
   /// \pre `k + 1 < offsets().size()`

@@ -184,13 +184,14 @@ public:
   void compute(Distributed& dt)
   {
     const Floating_point floating_point;
-    dt.ranks().agree("Distributed_periodic_edge_changes_2::compute()");
+    auto& ranks = Dynamic_Delaunay_triangulations_2::internal::Distributed_access_2::ranks(dt);
+    ranks.agree("Distributed_periodic_edge_changes_2::compute()");
     const std::vector<std::int64_t> ids = dt.owned_ids();
     const auto points = dt.owned_points();
     std::vector<Translations::Entry> own;
     for (std::size_t k = 0; k < ids.size(); ++k)
       own.push_back({ids[k], points[k].x(), points[k].y()});
-    m_translations.compute(dt.ranks(), dt.cell(), std::move(own));
+    m_translations.compute(ranks, dt.cell(), std::move(own));
     m_edges.rename([&](const Edge& e) {
       return Edge{e.i, e.j, m_translations.renamed(e.i, e.j, e.shift)}.in_order();
     });
@@ -198,7 +199,7 @@ public:
     dt.for_each_edge([&](std::int64_t i, std::int64_t j, const Periodic_shift_2& shift) {
       edges.push_back(Edge{i, j, shift}.in_order());
     });
-    m_edges.compare(dt.ranks(), std::move(edges));
+    m_edges.compare(ranks, std::move(edges));
   }
 
   /// the created edges that are listed on this rank, in ascending order.

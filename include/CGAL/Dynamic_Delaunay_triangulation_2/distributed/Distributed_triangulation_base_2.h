@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_ranks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
@@ -15,6 +16,7 @@
 
 #include <mpi.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -194,6 +196,65 @@ public:
   size_type number_of_ghosts() const { return points().number_of_ghosts(); }
   /// whether this rank holds the point or an image of it, as its own or as a ghost.
   bool holds(Id id) const { return points().holds(id); }
+  /// the position of a point as it was given last, in periodic space rounded. \pre `holds(id)`
+  Point point(Id id) const
+  {
+    const Floating_point floating_point;
+    const auto entry = points().entry(points().place(id));
+    return Point(entry.x, entry.y);
+  }
+
+  /// calls `f(i, j)` for each finite edge whose smaller id, `i`, this rank owns: over all ranks,
+  /// once for each edge. Of points that coincide, the one with the smallest id has the edges. In
+  /// periodic space it calls `f(i, j, shift)`, also for edges from a point to its own image: as in
+  /// one process, the image of point j by `shift`, a `Periodic_shift_2`, is a neighbor of point i,
+  /// both as they were given last.
+  template <class Function>
+  void for_each_edge(const Function& f) const
+  {
+    const Floating_point floating_point;
+    m_core.for_each_edge([&](Index i, Index j) { call(f, points().id(i), i, j); });
+  }
+
+  /// calls `f(ids)` for each finite face whose smallest id this rank owns: over all ranks, once for
+  /// each face. `ids` is an array of three ids, counterclockwise. In periodic space it calls
+  /// `f(ids, shifts)`: the images of these points by these shifts are the corners; the first id is
+  /// the smallest one, and its shift is (0, 0).
+  template <class Function>
+  void for_each_face(const Function& f) const
+  {
+    const Floating_point floating_point;
+    m_core.for_each_face([&](Index i, Index j, Index k) {
+      const std::array<Id, 3> ids{points().id(i), points().id(j), points().id(k)};
+      if constexpr (Space::is_periodic)
+        f(ids, std::array<typename Space::Shift, 3>{shift_between(i, i), shift_between(i, j),
+                                                    shift_between(i, k)});
+      else
+        f(ids);
+    });
+  }
+
+  /// calls `f(k, j)`, in periodic space `f(k, j, shift)`, for each point that this rank owns, the
+  /// `k`-th of `owned_ids()`, and the id `j` of each of its neighbors. An edge from a point to its
+  /// own image is met at both of its ends. Of points that coincide, the one with the smallest id
+  /// has neighbors.
+  template <class Function>
+  void for_each_neighbor(const Function& f) const
+  {
+    const Floating_point floating_point;
+    m_core.for_each_neighbor([&](size_type k, Index i, Index j) { call(f, k, i, j); });
+  }
+
+  /// calls `f(k, j)`, in periodic space `f(k, j, shift)`, for each point that this rank owns, the
+  /// `k`-th of `owned_ids()`, that coincides with other points, or their images by `shift`. `j` is
+  /// the smallest id of these points; but if the `k`-th point has that id itself, `f` is called for
+  /// the id `j` of each of the others.
+  template <class Function>
+  void for_each_duplicate(const Function& f) const
+  {
+    const Floating_point floating_point;
+    m_core.for_each_duplicate([&](size_type k, Index i, Index j) { call(f, k, i, j); });
+  }
 
   /// the triangulation of the points that this rank holds: of their images in periodic space, as
   /// points of the plane. Its faces at the points that the rank owns, whose ids there `held_id()`
@@ -313,13 +374,8 @@ public:
 
   /// @}
 
-  /// \cond
-  auto& ranks() { return m_core.ranks(); }
-  /// \endcond
-
 protected:
   /// \cond
-  using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
 
   explicit Distributed_triangulation_base_2(MPI_Comm communicator)
@@ -327,10 +383,31 @@ protected:
   {
   }
 
-  const typename Core::Points& points() const { return m_core.points(); }
-
   Core m_core;
   /// \endcond
+
+private:
+  friend Dynamic_Delaunay_triangulations_2::internal::Distributed_access_2;
+  using Index = Dynamic_Delaunay_triangulations_2::Index;
+
+  const typename Core::Points& points() const { return m_core.points(); }
+
+  // Calls f with the id at place j, and in periodic space with the shift from that at place i.
+  template <class Function, class First>
+  void call(const Function& f, First first, Index i, Index j) const
+  {
+    if constexpr (Space::is_periodic)
+      f(first, points().id(j), shift_between(i, j));
+    else
+      f(first, points().id(j));
+  }
+
+  // The shift of the image at place j after both are moved to have that at i where it was given.
+  typename Space::Shift shift_between(Index i, Index j) const
+  {
+    const auto &s = points().shift(i), &t = points().shift(j);
+    return {t[0] - s[0], t[1] - s[1]};
+  }
 };
 
 } // namespace CGAL

@@ -24,6 +24,11 @@
 #include <utility>
 #include <vector>
 
+namespace CGAL {
+template <class Space>
+class Distributed_triangulation_base_2;
+}
+
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The values that all ranks gave, one rank after the other.
@@ -215,6 +220,16 @@ private:
   Message_exchange_2 m_exchange;
   int m_rank = 0, m_size = 1;
   std::size_t m_gathered_bytes = 0;
+};
+
+// What other headers of the package use of distributed triangulations, and programs do not.
+struct Distributed_access_2
+{
+  template <class Space>
+  static auto& ranks(Distributed_triangulation_base_2<Space>& dt)
+  {
+    return dt.m_core.ranks();
+  }
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
