@@ -10,21 +10,13 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
+#include <CGAL/Periodic_shift_2.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 namespace CGAL {
-
-/*!
-\ingroup PkgDynamicDelaunayTriangulation2Periodic
-
-A translation of the lattice: `shift[0]` times the cell's first vector plus `shift[1]` times its
-second one. In a slab the second number is 0.
-*/
-using Periodic_shift_2 = std::array<int, 2>;
 
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Periodic

@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
-#include <CGAL/Periodic_cell_2.h>
+#include <CGAL/Periodic_shift_2.h>
 
 #include <array>
 #include <cstddef>

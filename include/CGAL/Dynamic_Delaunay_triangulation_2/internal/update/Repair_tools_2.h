@@ -9,7 +9,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Flip_tool_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Hold_tool_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Population_tool_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Reinsertion_tool_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Splice_tool_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_context_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Static_engine_2.h>
@@ -18,6 +17,10 @@
 #include <type_traits>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// Only spaces without splices include this tool.
+template <class State>
+class Reinsertion_tool_2;
 
 // The tools of an update, in every space, over one context. `Dynamic_mender_2` offers some of them
 // to a repair.

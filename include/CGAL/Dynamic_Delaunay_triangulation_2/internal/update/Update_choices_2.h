@@ -7,13 +7,17 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_tools_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Chosen_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Hold_and_flip_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_classification_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_frame_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/views/Dynamic_mender_2.h>
 
 #include <type_traits>
+
+namespace CGAL {
+template <class... Repairs>
+class Chosen_repair_2;
+}
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
