@@ -56,10 +56,6 @@ struct Triangulation_types_2<Dynamic_Delaunay_triangulation_2<Traits, ChosenClas
                             typename Triangulation_types_2::Concurrency_tag>;
   using Input = Input_frame_2<State>;
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";
-
-  // The argument from which an empty state is constructed.
-  using Space = Traits;
-  static const Space& space(const State& state) { return state.traits(); }
 };
 
 } // namespace internal

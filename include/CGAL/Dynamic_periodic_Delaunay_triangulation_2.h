@@ -58,9 +58,6 @@ struct Triangulation_types_2<
   static constexpr std::string_view checkpoint_subject =
       "Dynamic_periodic_Delaunay_triangulation_2";
   static constexpr bool is_exact = true; // the predicates are the package's own
-
-  using Space = Periodic_cell_2;
-  static const Space& space(const State& state) { return state.torus().cell(); }
 };
 
 } // namespace internal

@@ -644,8 +644,8 @@ private:
   // Must not move in memory: its parts refer to each other.
   struct Core
   {
-    Core(const typename Types::Space& space, const Static_engines_2& engines)
-      : state(space)
+    Core(const typename State::Argument& argument, const Static_engines_2& engines)
+      : state(argument)
     {
       update.tools().set_engines(engines);
     }
@@ -656,9 +656,9 @@ private:
     Change change; // of the present call, or the last one
   };
 
-  Dynamic_triangulation_base_2(const Settings& settings, const typename Types::Space& space)
+  Dynamic_triangulation_base_2(const Settings& settings, const typename State::Argument& argument)
     : m_settings(settings)
-    , m_core(std::make_unique<Core>(space, settings.engines))
+    , m_core(std::make_unique<Core>(argument, settings.engines))
   {
   }
   ~Dynamic_triangulation_base_2() = default;
@@ -750,7 +750,7 @@ private:
     const Floating_point floating_point;
     Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2 file(in, subject);
     Reader reader(file);
-    State state(Types::space(m_core->state));
+    State state(m_core->state.argument());
     reader.read(state);
     read_more(file, state.ids());
     file.finish();
@@ -775,7 +775,7 @@ private:
 
   std::unique_ptr<Core> empty_core() const
   {
-    return std::make_unique<Core>(Types::space(m_core->state), tools().engines);
+    return std::make_unique<Core>(m_core->state.argument(), tools().engines);
   }
 
   // Calls `before_update()`; if that throws, nothing has changed yet.
