@@ -183,8 +183,7 @@ public:
       Parts::for_each(m_frame.number_of_faces(), faces_of_part(),
                       [&](std::size_t part, std::size_t first, std::size_t beyond) {
                         for (std::size_t i = first; i < beyond; ++i)
-                          if (!is_open(Index(i)))
-                            call_with_face(part, Index(i), f);
+                          call_with_face(part, Index(i), f);
                       });
   }
 
@@ -196,7 +195,7 @@ public:
       if (!m_frame.state().torus().cell().is_slab())
         return;
       for (Face_index i = 0; i < m_frame.number_of_faces(); ++i)
-        if (is_open(i))
+        if (is_open(i, m_frame.face(i)))
           for (const Vertex_index v : m_frame.face(i))
             f(v);
     } else if (m_frame.state().spans_plane())
@@ -237,18 +236,21 @@ private:
     return (std::max)(Parts::usual_size, std::size_t(m_frame.number_of_faces()) / max_parts);
   }
 
-  bool is_open(Face_index i) const
+  // Whether face i, with the vertices v, is infinite or in the gap beside a slab.
+  bool is_open(Face_index i, const std::array<Index, 3>& v) const
   {
     if constexpr (Frame::is_periodic)
       return m_frame.state().is_in_gap(i);
     else
-      return m_frame.state().is_infinite_face(i);
+      return std::any_of(v.begin(), v.end(), [](Vertex_index w) { return Frame::is_infinite(w); });
   }
 
   template <class Function>
   BOOST_FORCEINLINE void call_with_face(std::size_t part, Face_index i, const Function& f) const
   {
     const std::array<Index, 3> v = m_frame.state().arrays().face(i);
+    if (is_open(i, v))
+      return;
     Periodic_shift_2 s{0, 0}, t{0, 0};
     if constexpr (Frame::is_periodic) {
       const auto [h, k, l] = Arrays::halfedges_of(i);
