@@ -158,10 +158,14 @@ public:
     if (const std::optional<Answer> other = smallest_found(query, asking))
       return other;
     m_found.clear(query.state());
+    typename Query::Measured nearest = query.measured(v);
     for_each_neighbor(query.geometry(), v, [&](const Site& w) {
-      const Comparison_result result = m_found.empty() ? EQUAL : query.compare(w, *m_found.begin());
-      if (result == SMALLER)
+      const typename Query::Measured other = query.measured(w);
+      const Comparison_result result = m_found.empty() ? SMALLER : query.compare(other, nearest);
+      if (result == SMALLER) {
         m_found.clear(query.state());
+        nearest = other;
+      }
       if (result != LARGER)
         m_found.insert(w);
     });
@@ -251,8 +255,9 @@ private:
     const Query query = query_at(p, number);
     if (m_dt->number_of_vertices() == 0)
       return std::nullopt;
-    const Site v = walk(query);
-    flood(query, v, [&](const Site& w) { return query.compare(w, v) == EQUAL; });
+    const typename Query::Measured v = walk(query);
+    flood(query, v.site,
+          [&](const Site& w) { return query.compare(query.measured(w), v) == EQUAL; });
     return smallest_found(query, std::nullopt);
   }
 
@@ -265,24 +270,26 @@ private:
     check(squared_radius);
     if (m_dt->number_of_vertices() == 0)
       return answers;
-    const Site v = walk(query);
+    const typename Query::Measured v = walk(query);
     if (query.compare_square(v, squared_radius) == LARGER)
       return answers;
-    return write_within(query, v, squared_radius, std::nullopt, answers);
+    return write_within(query, v.site, squared_radius, std::nullopt, answers);
   }
 
   // Returns a nearest site: moves to the nearest neighbor until none is nearer.
-  Site walk(const Query& query) const
+  typename Query::Measured walk(const Query& query) const
   {
-    Site nearest = query.site(start_of_walk(query)), last;
+    typename Query::Measured nearest = query.measured(query.site(start_of_walk(query)));
+    Site last;
     do {
-      last = nearest;
+      last = nearest.site;
       for_each_neighbor(query.geometry(), last, [&](const Site& w) {
-        if (query.compare(w, nearest) == SMALLER)
-          nearest = w;
+        const typename Query::Measured other = query.measured(w);
+        if (query.compare(other, nearest) == SMALLER)
+          nearest = other;
       });
-    } while (!(nearest == last));
-    m_last = State::vertex_of(nearest);
+    } while (!(nearest.site == last));
+    m_last = State::vertex_of(nearest.site);
     return nearest;
   }
 
@@ -365,8 +372,9 @@ private:
   OutputIterator write_within(const Query& query, const Site& v, const FT& squared_radius,
                               const std::optional<Answer>& asking, OutputIterator answers) const
   {
-    flood(query, v,
-          [&](const Site& w) { return query.compare_square(w, squared_radius) != LARGER; });
+    flood(query, v, [&](const Site& w) {
+      return query.compare_square(query.measured(w), squared_radius) != LARGER;
+    });
     for_each_found(query, asking, [&](const Answer& found) { *answers++ = found; });
     return answers;
   }

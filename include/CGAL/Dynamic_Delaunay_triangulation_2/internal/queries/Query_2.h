@@ -55,41 +55,44 @@ public:
   }
   bool is_at(const Site& site) const { return m_geometry.coincide(site, m_point); }
 
-  Comparison_result compare(const Site& a, const Site& b) const
+  // A site with its squared distance, rounded, and twice a bound on the error of that, which covers
+  // the sum or difference that makes an end of the interval.
+  struct Measured
   {
-    const Comparison_result result = filtered(square(a), square(b));
-    return result != EQUAL ? result : m_geometry.compare_distances(m_point, a, b);
-  }
-
-  template <class FT>
-  Comparison_result compare_square(const Site& a, const FT& other) const
-  {
-    const auto [lower, upper] = CGAL::to_interval(other);
-    const Comparison_result result = lower == upper ? filtered(square(a), {lower, 0}) : EQUAL;
-    return result != EQUAL ? result : m_geometry.compare_squared_distance(m_point, a, other);
-  }
-
-private:
-  // With twice the bound, which covers the sum or difference that makes an end of the interval. If
-  // something overflows, nothing is decided.
-  struct Square
-  {
-    double value, error;
+    Site site;
+    double square, error;
   };
 
-  Square square(const Site& a) const
+  // Without an error of coordinates, the bound is at most 20u times the square, where u = 2^-53.
+  Measured measured(const Site& a) const
   {
     double e = 0;
     const Position_2 v = m_geometry.rough_vector(m_point, a, e);
-    return {dot(v, v), 2 * error_of_product(v, v, e)};
+    const double square = dot(v, v);
+    return {a, square, e == 0 ? 0x1p-48 * square + 1e-300 : 2 * error_of_product(v, v, e)};
   }
 
-  // EQUAL if undecided.
-  static Comparison_result filtered(const Square& s, const Square& t)
+  Comparison_result compare(const Measured& a, const Measured& b) const
   {
-    return s.value + s.error < t.value - t.error   ? SMALLER
-           : t.value + t.error < s.value - s.error ? LARGER
-                                                   : EQUAL;
+    const Comparison_result result = filtered(a.square, a.error, b.square, b.error);
+    return result != EQUAL ? result : m_geometry.compare_distances(m_point, a.site, b.site);
+  }
+
+  template <class FT>
+  Comparison_result compare_square(const Measured& a, const FT& other) const
+  {
+    const auto [lower, upper] = CGAL::to_interval(other);
+    const Comparison_result result = lower == upper ? filtered(a.square, a.error, lower, 0) : EQUAL;
+    return result != EQUAL ? result : m_geometry.compare_squared_distance(m_point, a.site, other);
+  }
+
+private:
+  // EQUAL if undecided, as where something overflows.
+  static Comparison_result filtered(double s, double error_of_s, double t, double error_of_t)
+  {
+    return s + error_of_s < t - error_of_t   ? SMALLER
+           : t + error_of_t < s - error_of_s ? LARGER
+                                             : EQUAL;
   }
 
   const Geometry m_geometry;

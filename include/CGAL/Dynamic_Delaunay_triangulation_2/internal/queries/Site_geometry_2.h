@@ -161,7 +161,9 @@ public:
   }
   Position_2 rough_vector(const Query_point& from, Site to, double& error) const
   {
-    return vector(from, to, error);
+    if (!from.is_exact)
+      error = std::numeric_limits<double>::infinity();
+    return position(to) - from.position;
   }
   template <class From, class To>
   Exact_vector_2<Exact> exact_vector(const From& from, const To& to) const
