@@ -1,9 +1,9 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is said of scenarios, recordings and domains that are refused, by the tables of refusals.
+// What is said of scenarios, recordings and domains that are refused, case by case.
 
-#include "refusal_table.h"
+#include "case_table.h"
 #include "scenario_errors.h"
 #include "scenario_runner/Polygon_text.h"
 
@@ -41,14 +41,14 @@ class Refused_files : public testing::TestWithParam<std::string>
 TEST_P(Refused_files, say_where_and_why)
 {
   const std::string path = temporary_path("file." + GetParam());
-  for (const Refusal& refusal : read_refusals(GetParam()).refusals) {
+  for (const Case& refusal : read_cases(GetParam()).cases) {
     SCOPED_TRACE(refusal.given);
     const scenario::Scenario_error error = error_of_call([&] { read(GetParam(), refusal.given); });
     std::string message = error.what();
     if (message.rfind(path, 0) == 0) {
       message.replace(0, path.size(), "file");
     }
-    EXPECT_TRUE(says(message, refusal.message)) << message << '\n' << refusal.message;
+    EXPECT_TRUE(says(message, refusal.expected)) << message << '\n' << refusal.expected;
     EXPECT_EQ(error.line(), line_in(message));
   }
 }

@@ -3,7 +3,7 @@
 
 // The program run_scenario, run as a user runs it.
 
-#include "refusal_table.h"
+#include "case_table.h"
 #include "scenario_program.h"
 #include "scenario_runner/Text_input.h"
 #include "temporary_files.h"
@@ -12,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -93,144 +94,63 @@ TEST(Report, is_the_same_of_equal_runs_but_for_the_times)
   }
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& info)
+// The words of a command, which a blank separates; they may be empty.
+Words words_of(const std::string& command)
 {
-  return info.param;
+  std::vector<std::string_view> words;
+  scenario::split_at(' ', command, words);
+  return Words(words.begin() + 1, words.end());
 }
 
-class Thesis_scenarios : public testing::TestWithParam<std::string>
+// Of a value in a report, as `rebuild_reasons.policy=5` and `mcc_min>0.5`.
+void expect_value(const Json& report, const std::string& expectation)
 {
-};
-
-TEST_P(Thesis_scenarios, are_exact_on_every_frame)
-{
-  expect_exact_report(report_of({GetParam(), "--frames", "150"}), 150);
+  const std::size_t place = expectation.find_first_of("<=>");
+  std::string key = '/' + expectation.substr(0, place);
+  std::replace(key.begin(), key.end(), '.', '/');
+  const std::string text = expectation.substr(place + 1);
+  const Json::json_pointer pointer(key);
+  const Json value = report.contains(pointer) ? report.at(pointer) : Json("missing");
+  Json expected = Json::parse(text, nullptr, false);
+  if (expected.is_discarded()) {
+    expected = text;
+  }
+  switch (expectation.at(place)) {
+  case '<':
+    EXPECT_LT(value, expected) << key;
+    break;
+  case '>':
+    EXPECT_GT(value, expected) << key;
+    break;
+  default:
+    EXPECT_EQ(value, expected) << key;
+  }
 }
 
-TEST_P(Thesis_scenarios, stay_valid_under_a_heuristic)
+TEST(Runs, report_what_they_did)
 {
-  for (const char* packing : {"square", "hexagonal"}) {
-    const Json report = report_of({GetParam(), "--frames", "150", "--classifier",
-                                   "point_distance:0.9", "--packing", packing});
-    EXPECT_EQ(report["exact"], false);
-    EXPECT_EQ(report["classifier"], "point_distance");
-    EXPECT_EQ(report["parameter"], 0.9);
-    EXPECT_EQ(report["repair"], "splice");
-    EXPECT_EQ(report["packing"], packing);
-    EXPECT_EQ(report["valid_frames"], 150);
-    EXPECT_GT(report["mcc_min"], 0.5);
+  for (const Case& run : read_cases("runs").cases) {
+    SCOPED_TRACE(run.given);
+    const Json report = report_of(words_of(run.given));
     EXPECT_LE(report["mcc_min"], report["mcc_mean"]);
     EXPECT_LE(report["mcc_mean"], 1.0);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(All, Thesis_scenarios,
-                         testing::Values("dam_break", "spinning", "explosion", "static"),
-                         test_name);
-
-TEST(Brownian_motion, is_exact_with_every_repair)
-{
-  for (const char* repair : {"hold_and_flip", "splice", "flip", "relocate", "rebuild"}) {
-    const Json report = report_of({"brownian", "--points", "500", "--frames", "40", "--time-step",
-                                   "0.02", "--repair", repair});
-    SCOPED_TRACE(repair);
-    EXPECT_EQ(report["repair"], repair);
-    EXPECT_EQ(report["time_step"], 0.02);
-    EXPECT_TRUE(report["packing"].is_null());
-    expect_exact_report(report, 40);
-  }
-}
-
-TEST(Engines, run_by_their_names_for_rebuilds_and_for_splices)
-{
-  for (const char* engine : {"guibas_stolfi", "insertion", "bowyer_watson"}) {
-    SCOPED_TRACE(engine);
-    const Words arguments = {"brownian",    "--points", "300",      "--frames", "20",
-                             "--time-step", "0.05",     "--engine", engine,     "--repair"};
-    for (const char* repair : {"rebuild", "splice"}) {
-      const Json report = report_of(with(arguments, {repair}));
-      EXPECT_EQ(report["engine"], engine);
-      expect_exact_report(report, 20);
+    std::istringstream expectations(run.expected);
+    for (std::string word; expectations >> word;) {
+      if (word == "exact") {
+        expect_exact_report(report, report["frames"]);
+      } else {
+        expect_value(report, word);
+      }
     }
   }
 }
 
-TEST(Classifiers, run_by_their_names_and_exact_ones_end_certified)
+TEST(Summary, names_classifier_and_policy_with_their_parameters)
 {
-  const Words arguments = {"brownian", "--points",    "300",  "--frames",
-                           "20",       "--time-step", "0.01", "--classifier"};
-  const auto report_under = [&](const std::string& classifier) {
-    return report_of(with(arguments, {classifier}));
-  };
-  for (const char* name : {"circumcircle", "safe_region", "refined:safe_region+circumcircle",
-                           "refined:circumcircle+safe_region"}) {
-    SCOPED_TRACE(name);
-    const Json report = report_under(name);
-    EXPECT_EQ(report["repair"], "hold_and_flip");
-    expect_exact_report(report, 20);
-  }
-  for (const char* name :
-       {"point_distance", "inflation_aware:0.9", "voronoi_circumcenter",
-        "voronoi_circumcenter_estimated", "voronoi_edge_length:0.3", "random:0.1",
-        "refined:point_distance:1e+0+voronoi_circumcenter", "refined:circumcircle+random:0.5"}) {
-    SCOPED_TRACE(name);
-    const Json report = report_under(name);
-    EXPECT_EQ(report["exact"], false);
-    EXPECT_EQ(report["repair"], "splice");
-    EXPECT_EQ(report["valid_frames"], 20);
-    EXPECT_GT(report["mcc_min"], 0.7);
-  }
-  EXPECT_EQ(report_under("nearly_delaunay")["repair"], "hold_and_flip");
-  EXPECT_EQ(report_under("nearly_delaunay")["parameter"], 0.05);
-}
-
-TEST(Classifiers, that_are_refined_are_reported_with_both_of_their_parts)
-{
-  const Words arguments = {
-      "--points", "200", "--frames", "20", "--classifier", "refined:point_distance+random:0.5",
-      "--seed",   "3"};
-  const Json report = report_of(arguments);
-  EXPECT_EQ(report["classifier"], "refined");
-  EXPECT_EQ(report["parameter"], "point_distance:0.7+random:0.5");
-  EXPECT_EQ(report["seed"], 3);
-  const Outcome outcome = run_program(arguments);
+  const Outcome outcome =
+      run_program({"--points", "200", "--frames", "20", "--policy", "key_frames:8", "--classifier",
+                   "refined:point_distance+random:0.5"});
   EXPECT_TRUE(contains(outcome.output, "refined:point_distance:0.7+random:0.5 (heuristic)"));
-}
-
-TEST(Policies, run_by_their_names_and_are_reported)
-{
-  const Words arguments = {"brownian", "--points",    "300", "--frames",
-                           "20",       "--time-step", "0.3", "--policy"};
-  const auto report_under = [&](const std::string& policy) {
-    const Json report = report_of(with(arguments, {policy}));
-    expect_exact_report(report, 20);
-    return report;
-  };
-  const Json dynamic = report_under("always_dynamic");
-  EXPECT_EQ(dynamic["policy"], "always_dynamic");
-  EXPECT_TRUE(dynamic["policy_parameter"].is_null());
-  EXPECT_FALSE(dynamic["rebuild_reasons"].contains("policy"));
-  EXPECT_EQ(report_under("always_static")["rebuild_reasons"]["policy"], 20);
-  const Json key_frames = report_under("key_frames:4");
-  EXPECT_EQ(key_frames["policy"], "key_frames");
-  EXPECT_EQ(key_frames["policy_parameter"], 4);
-  EXPECT_EQ(key_frames["rebuild_reasons"]["policy"], 5);
-  EXPECT_EQ(report_under("key_frames")["policy_parameter"], 10);
-  const Json hybrid = report_under("hybrid");
-  EXPECT_EQ(hybrid["policy"], "hybrid");
-  EXPECT_GT(hybrid["rebuild_reasons"]["policy"], 15);
-  EXPECT_EQ(report_of({"--frames", "3"})["policy"], "always_dynamic");
-}
-
-TEST(Policies, certify_the_key_frames_of_a_heuristic)
-{
-  const Words arguments = {"dam_break",    "--points", "300",      "--frames",    "40",
-                           "--classifier", "random:0", "--policy", "key_frames:8"};
-  const Json report = report_of(arguments);
-  EXPECT_EQ(report["exact"], false);
-  EXPECT_EQ(report["rebuilds"], 5);
-  EXPECT_GE(report["certified_frames"], 5);
-  const Outcome outcome = run_program(arguments);
   EXPECT_TRUE(contains(outcome.output, "key_frames:8"));
 }
 
@@ -357,29 +277,21 @@ std::map<std::string, std::string> texts_in(const std::string& directory)
   return texts;
 }
 
-// The words of a command, which a blank separates; they may be empty.
-Words words_of(const std::string& command)
-{
-  std::vector<std::string_view> words;
-  scenario::split_at(' ', command, words);
-  return Words(words.begin() + 1, words.end());
-}
-
 TEST(Refused_commands, say_why_and_write_nothing)
 {
-  const Refusal_table table = read_refusals("commands");
+  const Case_table table = read_cases("commands");
   const std::string directory = temporary_path("refused");
   std::filesystem::create_directories(directory);
   for (const auto& [name, text] : table.files) {
     write_file("refused/" + name, text);
   }
-  for (const Refusal& refusal : table.refusals) {
+  for (const Case& refusal : table.cases) {
     SCOPED_TRACE(refusal.given);
     const Outcome outcome =
         run_program(with(words_of(refusal.given), {"--report", "report.json"}), directory);
     EXPECT_FALSE(outcome.succeeded);
     EXPECT_EQ(outcome.output, "");
-    EXPECT_TRUE(says(outcome.errors, "run_scenario: " + refusal.message + "\n")) << outcome.errors;
+    EXPECT_TRUE(says(outcome.errors, "run_scenario: " + refusal.expected + "\n")) << outcome.errors;
     EXPECT_EQ(texts_in(directory), table.files);
   }
 }

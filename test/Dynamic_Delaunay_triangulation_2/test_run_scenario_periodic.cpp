@@ -398,48 +398,6 @@ TEST(Box, that_changes_between_slabs_along_x_and_y_turns_the_slab)
   expect_exact_report(report_of({write_file("turned.dump", along_x + along_y)}), 1);
 }
 
-TEST(Periodic_run, follows_with_any_exact_classifier_and_any_repair_policy_and_engine)
-{
-  for (const Words& words :
-       {Words{"--repair", "flip"}, Words{"--repair", "splice", "--padding", "2"},
-        Words{"--repair", "relocate"}, Words{"--repair", "rebuild"}, Words{"--policy", "hybrid"},
-        Words{"--policy", "always_static"}, Words{"--engine", "insertion"},
-        Words{"--classifier", "safe_region"}}) {
-    const Json report =
-        report_of(with({"brownian_periodic", "--points", "100", "--frames", "5"}, words));
-    expect_exact_report(report, 5);
-    EXPECT_EQ(report["cell"], "torus");
-    EXPECT_EQ(report[words[0].substr(2)], words[1]);
-  }
-}
-
-TEST(Periodic_run, says_how_much_a_heuristic_classifier_misses)
-{
-  const Json blind = report_of({"brownian_periodic", "--points", "200", "--frames", "40",
-                                "--classifier", "random:0", "--time-step", "1"});
-  EXPECT_EQ(blind["exact"], false);
-  EXPECT_EQ(blind["cell"], "torus");
-  EXPECT_EQ(blind["repair"], "splice");
-  EXPECT_LT(blind["certified_frames"], 40);
-  EXPECT_LT(blind["mcc_min"], 1);
-  const Json nearly_exact = report_of({"brownian_periodic", "--points", "200", "--frames", "40",
-                                       "--classifier", "voronoi_circumcenter"});
-  EXPECT_EQ(nearly_exact["certified_frames"], 40);
-  EXPECT_EQ(nearly_exact["mcc_min"], 1);
-  EXPECT_GT(nearly_exact["classified_mean"], 0);
-  EXPECT_GT(nearly_exact["padded_mean"], 0);
-  EXPECT_GT(nearly_exact["border_mean"], 0);
-}
-
-TEST(Periodic_scenarios, are_followed_without_a_rebuild)
-{
-  expect_whole(report_of({"brownian_periodic", "--points", "400", "--frames", "60"}), 60, "torus");
-  expect_whole(report_of({"static_periodic", "--frames", "60"}), 60, "torus");
-  expect_whole(
-      report_of({"static_periodic", "--frames", "60", "--points", "200", "--packing", "hexagonal"}),
-      60, "torus");
-}
-
 std::vector<run::Periodic_face> faces_of(const run::Run_view& periodic)
 {
   std::vector<run::Periodic_face> faces;

@@ -1,20 +1,20 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Reads the tables in the folder `refusals`. Each line there is a text that is refused, and the
-// line below it, after two blanks, is the message.
+// Reads the tables in the folder `cases`: each line is what is given, and the line below it, after
+// two blanks, what is expected, as the message that refuses it.
 //
 //     # a remark
 //     = TEXT          the text that the changes below change
 //     WHAT => BY      the text with BY in place of WHAT
-//     .. {a|b} ..     two refusals, one for each word; {} stands for the word in the message
+//     .. {a|b} ..     two cases, one for each word; {} stands for the word in what is expected
 //     < NAME TEXT     a file of this name
 //
-// \n, \t, \r, \\ and \x0A are characters, a backslash at the end of a line is nothing, and [...] in
-// a message stands for any text.
+// \n, \t, \r, \\ and \x0A are characters, a backslash at the end of a line is nothing, and [...]
+// in a message stands for any text.
 
-#ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_REFUSAL_TABLE_H
-#define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_REFUSAL_TABLE_H
+#ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CASE_TABLE_H
+#define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CASE_TABLE_H
 
 #include <gtest/gtest.h>
 
@@ -26,15 +26,15 @@
 #include <string>
 #include <vector>
 
-struct Refusal
+struct Case
 {
   std::string given;
-  std::string message;
+  std::string expected;
 };
 
-struct Refusal_table
+struct Case_table
 {
-  std::vector<Refusal> refusals;
+  std::vector<Case> cases;
   std::map<std::string, std::string> files; // texts by names
 };
 
@@ -65,31 +65,31 @@ inline std::string with_replaced_part(std::string text, const std::string& what,
   return place == std::string::npos ? text : text.replace(place, what.size(), by);
 }
 
-// One for each of the words in braces, or the refusal itself.
-inline std::vector<Refusal> alternatives(const Refusal& refusal)
+// One for each of the words in braces, or the case itself.
+inline std::vector<Case> alternatives(const Case& one)
 {
   static const std::regex braces("\\{([^{}]*\\|[^{}]*)\\}"), bar("\\|");
   std::smatch found;
-  if (!std::regex_search(refusal.given, found, braces)) {
-    return {refusal};
+  if (!std::regex_search(one.given, found, braces)) {
+    return {one};
   }
-  std::vector<Refusal> all;
+  std::vector<Case> all;
   const std::string words = found[1].str() + "|";
   for (std::sregex_token_iterator word(words.begin(), words.end(), bar, -1), end; word != end;
        ++word) {
     all.push_back({found.prefix().str() + word->str() + found.suffix().str(),
-                   std::regex_replace(refusal.message, std::regex("\\{\\}"), word->str())});
+                   std::regex_replace(one.expected, std::regex("\\{\\}"), word->str())});
   }
   return all;
 }
 
-inline Refusal_table read_refusals(const std::string& name)
+inline Case_table read_cases(const std::string& name)
 {
-  std::ifstream in(REFUSALS_FOLDER "/" + name + ".txt");
+  std::ifstream in(CASES_FOLDER "/" + name + ".txt");
   EXPECT_TRUE(in.is_open()) << name;
-  Refusal_table table;
+  Case_table table;
   const std::string arrow = " => ";
-  std::string given, message, base;
+  std::string given, expected, base;
   while (std::getline(in, given)) {
     if (given.empty() || given[0] == '#') {
       continue;
@@ -99,21 +99,21 @@ inline Refusal_table read_refusals(const std::string& name)
     } else if (given[0] == '<') {
       const std::size_t blank = given.find(' ', 2);
       table.files[given.substr(2, blank - 2)] = unescaped(given.substr(blank + 1));
-    } else if (std::getline(in, message)) {
-      EXPECT_EQ(message.rfind("  ", 0), 0u) << given;
-      for (const Refusal& one : alternatives({given, message.substr(2)})) {
+    } else if (std::getline(in, expected)) {
+      EXPECT_EQ(expected.rfind("  ", 0), 0u) << given;
+      for (const Case& one : alternatives({given, expected.substr(2)})) {
         const std::size_t place = one.given.find(arrow);
         const std::string text = unescaped(one.given.substr(0, place));
-        table.refusals.push_back(
+        table.cases.push_back(
             {place == std::string::npos
                  ? text
                  : with_replaced_part(base, text,
                                       unescaped(one.given.substr(place + arrow.size()))),
-             one.message});
+             one.expected});
       }
     }
   }
-  EXPECT_FALSE(table.refusals.empty()) << name;
+  EXPECT_FALSE(table.cases.empty()) << name;
   return table;
 }
 
@@ -137,4 +137,4 @@ inline bool says(const std::string& text, const std::string& message)
   return false;
 }
 
-#endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_REFUSAL_TABLE_H
+#endif // DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_CASE_TABLE_H
