@@ -132,14 +132,6 @@ TEST(Trackmate, spots_that_are_in_no_track_are_refused_with_their_line)
   expect_refused_table(text + "ID5,5,,1,30,30,0,0,0,5,1,,1\n", "", 8, {"id ''", "stands for none"});
 }
 
-TEST(Trackmate, lines_below_the_header_are_no_more_than_three)
-{
-  const std::string head = "TRACK_ID,POSITION_X,POSITION_Y,FRAME\n";
-  const std::string more = "Track,X,Y,Frame\n";
-  EXPECT_EQ(read_table(head + "1,2,3,4\n"), "4 t=4 1:(2 3)\n");
-  EXPECT_EQ(read_table(head + more + more + more + "1,2,3,4\n"), "4 t=4 1:(2 3)\n");
-}
-
 TEST(Mtrackj, tracks_of_one_cluster_have_their_numbers_as_ids)
 {
   EXPECT_EQ(
@@ -185,11 +177,6 @@ TEST(Columns, that_are_named_wrongly_are_refused_with_what_is_allowed)
     SCOPED_TRACE(text);
     EXPECT_THROW(table_columns(text), std::invalid_argument);
   }
-}
-
-TEST(Names_of_other_programs, give_way_to_the_usual_ones)
-{
-  EXPECT_EQ(read_table("frame,id,x,y,particle,tid,t\n5,1,2,3,8,9,7\n"), "5 t=5 1:(2 3)\n");
 }
 
 TEST(Formats, are_known_by_the_content_whatever_the_name)

@@ -1,9 +1,10 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// What is said of scenarios, recordings and domains that are refused, case by case.
+// What scenarios, recordings and domains mean, or why they are refused, case by case.
 
 #include "case_table.h"
+#include "recording_text.h"
 #include "scenario_errors.h"
 #include "scenario_runner/Polygon_text.h"
 
@@ -52,6 +53,22 @@ TEST_P(Refused_files, say_where_and_why)
     EXPECT_EQ(error.line(), line_in(message));
   }
 }
+
+class Read_files : public testing::TestWithParam<std::string>
+{
+};
+
+TEST_P(Read_files, mean_what_they_should)
+{
+  for (const Case& file : read_cases("read_" + GetParam()).cases) {
+    SCOPED_TRACE(file.given);
+    EXPECT_EQ(text_of(scenario::parse_recording("file." + GetParam(), file.given)),
+              unescaped(file.expected));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Read_files, testing::Values("csv", "xyz"),
+                         [](const auto& kind) { return kind.param; });
 
 INSTANTIATE_TEST_SUITE_P(Of, Refused_files,
                          testing::Values("csv", "dump", "geojson", "json", "mdf", "wkt", "xyz"),
