@@ -46,11 +46,11 @@ struct Outcome
   std::string errors;
 };
 
-inline Outcome run_program(const Words& arguments)
+inline Outcome run_program(const Words& arguments, const std::string& directory = ".")
 {
   const std::string output = temporary_path("output");
   const std::string errors = temporary_path("errors");
-  std::string command = "\"" RUN_SCENARIO "\"";
+  std::string command = "cd \"" + directory + "\" && \"" RUN_SCENARIO "\"";
   for (const std::string& argument : arguments) {
     command += " \"" + argument + "\"";
   }
@@ -83,22 +83,6 @@ inline void expect_exact_report(const Json& report, std::size_t frames)
   EXPECT_EQ(report["valid_frames"], frames);
   EXPECT_EQ(report["mcc_min"], 1.0);
   EXPECT_EQ(report["mcc_mean"], 1.0);
-}
-
-// Expects one message on one line, no output, and neither a report nor a part of one.
-inline void expect_refusal(const Words& arguments, const Words& parts_of_message)
-{
-  const std::string path = temporary_path("refused.json");
-  const Outcome outcome = run_program(with(arguments, {"--report", path}));
-  EXPECT_FALSE(outcome.succeeded);
-  EXPECT_EQ(outcome.output, "");
-  EXPECT_EQ(outcome.errors.rfind("run_scenario: ", 0), 0u) << outcome.errors;
-  EXPECT_EQ(number_of_lines(outcome.errors), 1u) << outcome.errors;
-  for (const std::string& part : parts_of_message) {
-    EXPECT_TRUE(contains(outcome.errors, part)) << part << " is not in: " << outcome.errors;
-  }
-  EXPECT_FALSE(std::filesystem::exists(path));
-  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
 }
 
 inline void expect_equal_recordings(const scenario::Recording& frames,

@@ -14,11 +14,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
 
 #include <array>
-#include <deque>
-#include <limits>
-#include <list>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace test_guarantees {
@@ -113,99 +108,6 @@ TEST(Guarantees, thousands_of_rough_frames_under_every_heuristic_stay_valid_and_
     ASSERT_NO_FATAL_FAILURE(follow_and_mend<CGAL::Default>(CGAL::Point_distance_classifier_2(0.3),
                                                            points, cloud, step));
   }
-}
-
-TEST(Guarantees, a_coordinate_that_is_no_number_is_refused_with_its_id_and_nothing_changes)
-{
-  Cloud<Epick> cloud(4);
-  const auto points = cloud.uniform(50);
-  Exact dt(points.begin(), points.end());
-  for (const double bad :
-       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
-        -std::numeric_limits<double>::infinity()}) {
-    auto moved = cloud.uniform(50);
-    moved[17] = Epick::Point_2(1, bad);
-    try {
-      dt.update(moved.begin(), moved.end());
-      FAIL() << "no exception";
-    } catch (const CGAL::Non_finite_coordinate_error_2& error) {
-      EXPECT_EQ(error.id(), 17u);
-      EXPECT_EQ(error.x(), 1);
-      EXPECT_NE(std::string(error.what()).find("point 17"), std::string::npos) << error.what();
-    }
-    expect_exact(dt, points);
-    EXPECT_THROW(Exact(moved.begin(), moved.end()), CGAL::Non_finite_coordinate_error_2);
-  }
-}
-
-TEST(Guarantees, too_few_and_too_many_positions_are_refused_and_nothing_changes)
-{
-  Cloud<Epick> cloud(5);
-  const auto points = cloud.uniform(50);
-  Exact dt(points.begin(), points.end());
-  for (const std::size_t count : {0u, 49u, 51u, 100u}) {
-    const auto moved = cloud.uniform(count);
-    try {
-      dt.update(moved.begin(), moved.end());
-      FAIL() << "no exception";
-    } catch (const CGAL::Point_count_error_2& error) {
-      EXPECT_EQ(error.expected(), 50u);
-      EXPECT_EQ(error.given(), count);
-    }
-    expect_exact(dt, points);
-  }
-}
-
-// What a call reports as given, and whether it says that there may be more.
-template <class Dynamic, class Range>
-std::pair<std::size_t, bool> reported_count(Dynamic& dt, const Range& range)
-{
-  try {
-    dt.update(range.begin(), range.end());
-  } catch (const CGAL::Point_count_error_2& error) {
-    return {error.given(), std::string(error.what()).find(" or more") != std::string::npos};
-  }
-  return {0, false};
-}
-
-// A vector has a length, so its points are not read; other ranges are read as far as is due.
-template <class Dynamic>
-void expect_one_report_of_too_many(Dynamic& dt, std::size_t ids)
-{
-  using Point = typename Dynamic::Point;
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<Point> too_many(ids + 40, Point(nan, 0));
-  EXPECT_EQ(reported_count(dt, too_many), std::make_pair(ids + 40, false));
-  const std::deque<Point> many(ids + 40, Point(nan, 0));
-  EXPECT_EQ(reported_count(dt, many), std::make_pair(ids + 40, false));
-  const std::list<Point> list(ids + 40, Point(0.5, 0.5));
-  EXPECT_EQ(reported_count(dt, list), std::make_pair(ids + 1, true));
-}
-
-TEST(Guarantees, a_vector_of_too_many_positions_is_reported_in_one_way)
-{
-  Cloud<Epick> cloud(6);
-  Points points = cloud.uniform(50);
-  Exact dt(points.begin(), points.end());
-  expect_one_report_of_too_many(dt, 50);
-  points.push_back(points.front()); // points that coincide are read one by one
-  Exact with_duplicates(points.begin(), points.end());
-  expect_one_report_of_too_many(with_duplicates, 51);
-}
-
-TEST(Guarantees, an_unknown_id_is_refused)
-{
-  const Points points = {{0, 0}};
-  const Exact dt(points.begin(), points.end());
-  EXPECT_NO_THROW(dt.vertex(0));
-  try {
-    dt.vertex(1);
-    FAIL() << "no exception";
-  } catch (const CGAL::Unknown_id_error_2& error) {
-    EXPECT_EQ(error.id(), 1u);
-    EXPECT_EQ(error.number_of_ids(), 1u);
-  }
-  EXPECT_THROW(Exact().point(0), CGAL::Unknown_id_error_2);
 }
 
 TEST(Guarantees, an_unknown_id_from_the_classifier_is_refused_and_nothing_changes)

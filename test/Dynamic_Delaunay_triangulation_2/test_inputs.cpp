@@ -335,36 +335,6 @@ TEST(Ranges, of_users_ids_are_read_by_updates_insertions_moves_and_removals)
   EXPECT_EQ(people.size(), 3u);
 }
 
-TEST(Ranges, of_users_ids_that_are_refused_change_nothing)
-{
-  using Named = std::vector<std::pair<std::int64_t, Point>>;
-  const Point near(2, 2), nowhere(std::numeric_limits<double>::quiet_NaN(), 0);
-  Population people;
-  people.insert(Named{{7, {0, 0}}, {-2, {1, 0}}, {9, {0, 1}}});
-  const auto refused = [&](const auto& call) {
-    try {
-      call();
-      return std::string("nothing");
-    } catch (const CGAL::Repeated_id_error_2& error) {
-      return "repeated " + error.id();
-    } catch (const CGAL::Unknown_user_id_error_2& error) {
-      return "unknown " + error.id();
-    } catch (const CGAL::Non_finite_coordinate_error_2& error) {
-      return "place " + std::to_string(error.id());
-    }
-  };
-  EXPECT_EQ(refused([&] { people.insert(Named{{1, near}, {-2, near}}); }), "repeated -2");
-  EXPECT_EQ(refused([&] { people.insert(Named{{1, near}, {2, near}, {1, near}}); }), "repeated 1");
-  EXPECT_EQ(refused([&] { people.insert(Named{{1, near}, {2, nowhere}}); }), "place 1");
-  EXPECT_EQ(refused([&] { people.move(Named{{9, near}, {1, near}}); }), "unknown 1");
-  EXPECT_EQ(refused([&] { people.move(9, nowhere); }), "place 0");
-  EXPECT_EQ(refused([&] { people.remove(std::vector<int>{9, 7, 1}); }), "unknown 1");
-  EXPECT_EQ(refused([&] { people.remove(std::vector<int>{9, 7, 9}); }), "repeated 9");
-  EXPECT_EQ(people.size(), 3u);
-  ASSERT_NO_FATAL_FAILURE(expect_exact(people.triangulation(), Points{{0, 0}, {1, 0}, {0, 1}}));
-  EXPECT_TRUE(people.has(7) && people.has(-2) && people.has(9) && !people.has(1));
-}
-
 // LIMITS ------------------------------------------------------------------------------------------
 
 template <class Value>

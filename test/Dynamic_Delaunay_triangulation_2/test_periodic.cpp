@@ -20,7 +20,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <deque>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -388,6 +387,8 @@ TEST(A_cell, must_be_finite_and_have_an_area)
   EXPECT_THROW(Cell(nan, 1), CGAL::Periodic_cell_error_2);
   EXPECT_THROW(Cell(0, 1), CGAL::Periodic_cell_error_2);
   EXPECT_THROW(Cell(1, 2, 3, 6), CGAL::Periodic_cell_error_2);
+  EXPECT_THROW(Cell::slab(0, 0), CGAL::Periodic_cell_error_2);
+  EXPECT_THROW(Cell::slab(nan, 0), CGAL::Periodic_cell_error_2);
   EXPECT_THROW(Triangulation(Cell(1e-200, 1e-200)), CGAL::Periodic_cell_error_2);
   EXPECT_THROW(Triangulation(Cell(1, 0, 1e12, 1)), CGAL::Periodic_cell_error_2);
   EXPECT_THROW(Triangulation(Cell(1e200, 1e200)), CGAL::Periodic_cell_error_2);
@@ -403,44 +404,6 @@ TEST(A_cell, must_be_finite_and_have_an_area)
   const Cell from_vectors(Kernel::Vector_2(1, 2), Kernel::Vector_2(3, 5));
   EXPECT_EQ(from_vectors, Cell(1, 2, 3, 5));
   EXPECT_EQ(from_vectors.area(), 1);
-}
-
-TEST(Wrong_input, is_refused_and_changes_nothing)
-{
-  std::mt19937_64 random(10);
-  const std::vector<Point> points = random_points(random, 9, 3);
-  Triangulation pt(points, Cell(3, 3));
-  const double infinity = std::numeric_limits<double>::infinity();
-  std::vector<Point> next = points;
-  next[4] = Point(0, infinity);
-  EXPECT_THROW(pt.update(next), CGAL::Non_finite_coordinate_error_2);
-  next[4] = Point(0, 1e10);
-  EXPECT_THROW(pt.update(next), CGAL::Periodic_range_error_2);
-  next[4] = Point(0, 0);
-  EXPECT_THROW(pt.update(next, Cell(1e-200, 1e-200)), CGAL::Periodic_cell_error_2);
-  EXPECT_THROW(pt.update(next, Cell(1, 0, 1e12, 1)), CGAL::Periodic_cell_error_2);
-  next.pop_back();
-  EXPECT_THROW(pt.update(next), CGAL::Point_count_error_2);
-  next.assign(20, Point(infinity, 0)); // counted, as in the plane, and not read
-  try {
-    pt.update(next);
-    ADD_FAILURE() << "too many points were taken";
-  } catch (const CGAL::Point_count_error_2& error) {
-    EXPECT_EQ(error.given(), 20u);
-    EXPECT_EQ(std::string(error.what()).find(" or more"), std::string::npos);
-  }
-  EXPECT_THROW(pt.update(std::deque<Point>(10, Point(infinity, 0))), CGAL::Point_count_error_2);
-  EXPECT_THROW(pt.move(9, Point(0, 0)), CGAL::Unknown_id_error_2);
-  EXPECT_THROW(pt.move(8, Point(infinity, 0)), CGAL::Non_finite_coordinate_error_2);
-  EXPECT_THROW(pt.remove(9), CGAL::Unknown_id_error_2);
-  EXPECT_THROW(pt.point(9), CGAL::Unknown_id_error_2);
-  EXPECT_THROW(pt.insert(Point(1e300, 0)), CGAL::Periodic_range_error_2);
-  const std::vector<std::size_t> twice{1, 1};
-  EXPECT_THROW(pt.remove(twice.begin(), twice.end()), CGAL::Repeated_id_error_2);
-  for (std::size_t id = 0; id < points.size(); ++id)
-    EXPECT_EQ(pt.point(id), points[id]);
-  EXPECT_EQ(pt.number_of_points(), 9u);
-  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
 }
 
 TEST(Wrong_input, is_refused_also_where_points_walk_out_of_range_in_small_steps)
@@ -928,20 +891,6 @@ TEST(A_slab, may_be_stretched_and_turned_with_its_points_and_run_the_other_way)
   }
 }
 
-TEST(A_slab, stays_one_and_no_cell_becomes_one)
-{
-  Triangulation slab(std::vector<Point>{Point(0, 0), Point(0.5, 1)}, Cell::slab(1, 0));
-  Triangulation torus(std::vector<Point>{Point(0, 0), Point(0.5, 1)}, Cell(1, 2));
-  const std::vector<Point> next{Point(0, 0), Point(0.5, 1.1)};
-  EXPECT_THROW(slab.update(next, Cell(1, 2)), CGAL::Periodic_cell_error_2);
-  EXPECT_THROW(torus.update(next, Cell::slab(1, 0)), CGAL::Periodic_cell_error_2);
-  EXPECT_EQ(slab.point(1), Point(0.5, 1));
-  EXPECT_EQ(torus.point(1), Point(0.5, 1));
-  EXPECT_THROW(Cell::slab(0, 0), CGAL::Periodic_cell_error_2);
-  EXPECT_THROW(Cell::slab(std::numeric_limits<double>::quiet_NaN(), 0),
-               CGAL::Periodic_cell_error_2);
-}
-
 // ALL AT ONCE -------------------------------------------------------------------------------------
 
 TEST(Many_points, are_triangulated_at_once_in_cells_of_any_shape)
@@ -1396,26 +1345,6 @@ TEST(A_population, comes_and_goes_under_its_own_ids_while_the_cell_changes)
   }
 }
 
-TEST(A_population, that_is_refused_stays_as_it_is)
-{
-  using Population = CGAL::Dynamic_population_2<Triangulation>;
-  Population population(Triangulation(Cell::slab(3, 0)));
-  using Frame = std::vector<std::pair<std::int64_t, Point>>;
-  population.update(Frame{{7, Point(0, 0)}, {9, Point(1, 1)}});
-  EXPECT_THROW(population.update(Frame{{8, Point(1e9, 0)}, {9, Point(0, 0)}}),
-               CGAL::Periodic_range_error_2);
-  EXPECT_THROW(population.update(Frame{{8, Point(0, 0)}}, Cell(3, 3)), CGAL::Periodic_cell_error_2);
-  EXPECT_THROW(population.update(Frame{{8, Point(0, 0)}, {8, Point(1, 0)}}),
-               CGAL::Repeated_id_error_2);
-  EXPECT_TRUE(population.has(7) && population.has(9) && !population.has(8));
-  EXPECT_EQ(population.point(9), Point(1, 1));
-  population.insert(8, Point(2, 2));
-  population.remove(7);
-  population.move(Frame{{8, Point(2, 3)}, {9, Point(1.5, 1)}});
-  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(population.triangulation()));
-  EXPECT_EQ(population.size(), 2u);
-}
-
 // The point that leaves is too many of the small cells away from the origin to be in range.
 TEST(A_population, takes_a_frame_in_whose_cell_a_point_that_has_left_could_not_be)
 {
@@ -1425,18 +1354,6 @@ TEST(A_population, takes_a_frame_in_whose_cell_a_point_that_has_left_could_not_b
   population.update(Frame{{1, Point(1e-4, 1e-4)}, {3, Point(5e-4, 2e-4)}}, Cell(5e-4, 5e-4));
   EXPECT_TRUE(population.has(1) && !population.has(2) && population.has(3));
   ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(population.triangulation()));
-}
-
-template <class Error, class Call>
-std::size_t place_in_refusal(const Call& call)
-{
-  try {
-    call();
-  } catch (const Error& error) {
-    return error.id();
-  }
-  ADD_FAILURE() << "nothing was refused";
-  return 0;
 }
 
 // With so few points a removal may triangulate all the others anew, before they move.
@@ -1485,34 +1402,6 @@ TEST(A_population, loses_points_while_all_others_flow_in_cells_and_slabs_that_ch
       ASSERT_EQ(population.triangulation().number_of_points(), all.size());
     }
   }
-}
-
-TEST(A_population, says_at_which_place_of_the_range_a_point_is_that_it_refuses)
-{
-  using Frame = std::vector<std::pair<std::int64_t, Point>>;
-  CGAL::Dynamic_population_2<Triangulation> population(Triangulation(Cell(1, 1)));
-  population.update(Frame{{1, Point(0.1, 0.1)}, {2, Point(0.9, 0.9)}, {3, Point(0.5, 0.2)}});
-  const Point far(2e6, 0), nowhere(std::numeric_limits<double>::quiet_NaN(), 0), near(0.4, 0.6);
-  const auto place_of_far = [](const auto& call) {
-    return place_in_refusal<CGAL::Periodic_range_error_2>(call);
-  };
-  EXPECT_EQ(place_of_far([&] { population.update(Frame{{3, far}, {1, near}}); }), 0u);
-  EXPECT_EQ(place_of_far([&] { population.update(Frame{{3, near}, {9, far}}); }), 1u);
-  EXPECT_EQ(place_of_far([&] { population.move(Frame{{1, near}, {2, near}, {3, far}}); }), 2u);
-  EXPECT_EQ(place_of_far([&] { population.insert(9, far); }), 0u);
-  const auto place_of_nowhere = [](const auto& call) {
-    return place_in_refusal<CGAL::Non_finite_coordinate_error_2>(call);
-  };
-  EXPECT_EQ(place_of_nowhere([&] { population.move(Frame{{3, near}, {1, nowhere}}); }), 1u);
-  EXPECT_EQ(place_of_nowhere([&] { population.insert(9, nowhere); }), 0u);
-  try {
-    population.move(Frame{{3, near}, {3, near}});
-    ADD_FAILURE();
-  } catch (const CGAL::Repeated_id_error_2& error) {
-    EXPECT_EQ(error.id(), "3");
-  }
-  EXPECT_EQ(population.size(), 3u);
-  EXPECT_EQ(population.point(3), Point(0.5, 0.2));
 }
 
 // EVERYTHING AT RANDOM --------------------------------------------------------------------------

@@ -338,42 +338,6 @@ TYPED_TEST(Population, does_not_look_at_positions_of_ids_that_are_free)
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
 }
 
-TYPED_TEST(Population, refuses_what_is_no_number_unknown_and_repeated_ids_and_does_not_change)
-{
-  using Place = typename TestFixture::Point;
-  const auto points = Cloud<TypeParam>(7).uniform(100);
-  typename TestFixture::Dynamic dt(points.begin(), points.end());
-  dt.remove(20);
-  const auto model = model_of(dt);
-  const Place bad = nan_point<TypeParam>(), good(1, 1);
-  const std::vector<Place> with_bad = {good, good, bad};
-  std::vector<std::size_t> ids;
-  EXPECT_THROW(dt.insert(bad), CGAL::Non_finite_coordinate_error_2);
-  EXPECT_THROW(dt.insert(with_bad.begin(), with_bad.end(), std::back_inserter(ids)),
-               CGAL::Non_finite_coordinate_error_2);
-  EXPECT_TRUE(ids.empty());
-  EXPECT_THROW(dt.remove(20), CGAL::Unknown_id_error_2);
-  EXPECT_THROW(dt.remove(100), CGAL::Unknown_id_error_2);
-  EXPECT_THROW(dt.move(20, good), CGAL::Unknown_id_error_2);
-  EXPECT_THROW(dt.move(1, bad), CGAL::Non_finite_coordinate_error_2);
-  for (const std::vector<int>& wrong : {std::vector<int>{1, 2, 20}, {1, -1}, {3, 4, 3}}) {
-    std::vector<std::pair<int, Place>> movers;
-    for (const int id : wrong)
-      movers.emplace_back(id, good);
-    const auto remove = [&] { dt.remove(wrong.begin(), wrong.end()); };
-    const auto move = [&] { dt.move(movers.begin(), movers.end()); };
-    if (wrong.back() == 3) {
-      EXPECT_THROW(remove(), CGAL::Repeated_id_error_2);
-      EXPECT_THROW(move(), CGAL::Repeated_id_error_2);
-    } else {
-      EXPECT_THROW(remove(), CGAL::Unknown_id_error_2);
-      EXPECT_THROW(move(), CGAL::Unknown_id_error_2);
-    }
-  }
-  EXPECT_TRUE(dt.is_certified());
-  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model));
-}
-
 TYPED_TEST(Population, is_exact_whatever_happens_to_it)
 {
   for (const Playground& ground : {Playground{4, true}, Playground{9, true}, Playground{8, false}})

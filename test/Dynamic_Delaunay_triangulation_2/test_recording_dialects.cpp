@@ -45,14 +45,6 @@ std::string dump(const std::string& timestep, const std::string& box = "pp pp pp
          "\n0 10\n0 8\n-0.5 0.5\nITEM: ATOMS " + columns + "\n7 1 2\n";
 }
 
-void expect_refused_dump(const std::string& text, std::size_t line, const Words& words)
-{
-  SCOPED_TRACE(text);
-  const Scenario_error error = error_of_call([&] { parse_lammps_dump("file", text); });
-  EXPECT_EQ(error.line(), line) << error.what();
-  expect_words(error, words);
-}
-
 TEST(Dialect, of_ase)
 {
   EXPECT_EQ(read_dialect("ase.extxyz"), "0 t=0 [(0 0) (10 0) (0 8) pf] 0:(0.5 1.25) 1:(9.9 1)\n"
@@ -140,61 +132,12 @@ TEST(Trackmate, spots_that_are_in_no_track_are_refused_with_their_line)
   expect_refused_table(text + "ID5,5,,1,30,30,0,0,0,5,1,,1\n", "", 8, {"id ''", "stands for none"});
 }
 
-TEST(Trackmate, units_that_differ_are_refused)
-{
-  expect_refused_table("TRACK_ID,POSITION_X,POSITION_Y,FRAME\nTrack ID,X,Y,Frame\n"
-                       ",(micron),(pixel),\n1,2,3,4\n",
-                       "", 3, {"different units", "'(micron)'", "'(pixel)'"});
-}
-
-TEST(Trackmate, lines_below_the_header_are_no_more_than_three)
-{
-  const std::string head = "TRACK_ID,POSITION_X,POSITION_Y,FRAME\n";
-  const std::string more = "Track,X,Y,Frame\n";
-  EXPECT_EQ(read_table(head + "1,2,3,4\n"), "4 t=4 1:(2 3)\n");
-  EXPECT_EQ(read_table(head + more + more + more + "1,2,3,4\n"), "4 t=4 1:(2 3)\n");
-  expect_refused_table(head + more + more + more + more + "1,2,3,4\n", "", 5,
-                       {"frame 'Frame' is not an integer"});
-}
-
 TEST(Mtrackj, tracks_of_one_cluster_have_their_numbers_as_ids)
 {
   EXPECT_EQ(
       text_of(parse_mtrackj("file", "MTrackJ 1.5.1 Data File\nAssembly 1\nCluster 4\nTrack 3\n"
                                     "Point 1 1 2 1 9 1\nEnd of MTrackJ Data File\n")),
       "9 t=9 3:(1 2)\n");
-}
-
-TEST(Mtrackj, files_with_a_mistake_are_refused_with_their_line)
-{
-  const auto expect = [](const std::string& rest, std::size_t line, const Words& words) {
-    SCOPED_TRACE(rest);
-    const Scenario_error error = error_of_call(
-        [&] { parse_mtrackj("file", "MTrackJ 1.5.1 Data File\nDisplaying true\n" + rest); });
-    EXPECT_EQ(error.line(), line) << error.what();
-    expect_words(error, words);
-  };
-  const std::string track = "Assembly 1\nCluster 1\nTrack 1\n";
-  const std::string end = "End of MTrackJ Data File\n";
-  expect(track + "Point 1 1 2 1 9 1\n", 6, {"truncated"});
-  expect(track + end, 0, {"no points"});
-  expect(track + "Point 1 1 2 9 1\n" + end, 6, {"6 fields"});
-  expect(track + "Point 1 x 2 1 9 1\n" + end, 6, {"x 'x' is not a number"});
-  expect(track + "Point 1 1 2 1 9.5 1\n" + end, 6, {"t '9.5' is not an integer"});
-  expect(track + "Point 1 1 2 1 9 1\nPoint 2 3 4 1 9 1\n" + end, 7, {"id 1 is twice in frame 9"});
-  expect("Assembly 1\nTrack 1\n" + end, 4, {"expected a Cluster, Track or Point"});
-}
-
-TEST(Mtrackj, tables_of_several_clusters_are_refused)
-{
-  expect_refused_table("CID,TID,x,y,t\n1,1,2,3,0\n2,1,5,6,1\n", "", 3, {"several clusters"});
-}
-
-TEST(Headerless_tables, are_refused_without_a_frame_rate_with_the_way_out)
-{
-  expect_refused_table("1 5 2 3\n", "", 1, {"no header", "--columns id,frame,x,y"});
-  expect_refused_table("# framerate: 25\n1 5 2\n", "", 2, {"no header", "--columns"});
-  expect_refused_table("# id frame x/m z/m\n# framerate: 25\n1 5 2 3\n", "", 1, {"'y' is missing"});
 }
 
 TEST(Columns, may_be_named_in_their_order)
@@ -234,54 +177,6 @@ TEST(Columns, that_are_named_wrongly_are_refused_with_what_is_allowed)
     SCOPED_TRACE(text);
     EXPECT_THROW(table_columns(text), std::invalid_argument);
   }
-}
-
-TEST(Unknown_columns, are_refused_with_the_names_that_are_known)
-{
-  expect_refused_table("t;who;east;north\n0;1;2;3\n", "", 1,
-                       {"'frame', 'id', 'x' and 'y' are missing", "particle", "TRACK_ID",
-                        "$PEDESTRIAN:NO", "--columns frame,id,x,y"});
-  expect_refused_table("TRACK_ID,POSITION_X,FRAME\n0,1,2\n", "", 1, {"'position_y' is missing"});
-  expect_refused_table("Nr,TID,x,y\n1,1,2,3\n", "", 1, {"'t' is missing"});
-}
-
-TEST(Names_of_other_programs, give_way_to_the_usual_ones)
-{
-  EXPECT_EQ(read_table("frame,id,x,y,particle,tid,t\n5,1,2,3,8,9,7\n"), "5 t=5 1:(2 3)\n");
-}
-
-TEST(Lammps, columns_that_are_there_twice_are_refused)
-{
-  expect_refused_dump(dump("0", "pp pp pp", "id x x"), 9, {"column 'x' is there twice"});
-}
-
-TEST(Lammps, boxes_that_do_not_say_what_is_periodic_are_refused)
-{
-  expect_refused_dump(dump("0", ""), 5, {"which sides are periodic", "pp pp pp", "ff ff ff"});
-  expect_refused_dump(dump("0", "xy xz yz"), 5, {"which sides are periodic"});
-  expect_refused_dump(dump("0", "pp pp"), 5, {"'pp pp'", "each of x, y and z"});
-  expect_refused_dump(dump("0", "pp pp pp pp"), 5, {"each of x, y and z"});
-  expect_refused_dump(dump("0", "pp pf pp"), 5, {"'pp pf pp'"});
-  expect_refused_dump(dump("0", "periodic pp pp"), 5, {"'periodic pp pp'"});
-}
-
-TEST(Lammps, time_steps_that_repeat_or_go_back_are_refused_with_their_line)
-{
-  EXPECT_EQ(parse_lammps_dump("file", dump("0") + dump("100")).size(), 2u);
-  expect_refused_dump(dump("100") + dump("100"), 12, {"timestep 100 follows 100", "continued"});
-  expect_refused_dump(dump("100") + dump("0"), 12, {"timestep 0 follows 100", "reset"});
-}
-
-TEST(Lammps, sections_that_are_twice_in_a_frame_are_refused)
-{
-  const auto twice = [](const std::string& section) {
-    std::string text = dump("0");
-    return text.insert(text.find("ITEM: ATOMS"), section);
-  };
-  expect_refused_dump(twice("ITEM: NUMBER OF ATOMS\n2\n"), 9, {"NUMBER OF ATOMS is twice"});
-  expect_refused_dump(twice("ITEM: BOX BOUNDS pp pp pp\n0 1\n0 1\n0 1\n"), 9,
-                      {"BOX BOUNDS is twice"});
-  expect_refused_dump("ITEM: TIME\n0\nITEM: TIME\n1\n" + dump("0"), 3, {"ITEM: TIME is twice"});
 }
 
 TEST(Formats, are_known_by_the_content_whatever_the_name)

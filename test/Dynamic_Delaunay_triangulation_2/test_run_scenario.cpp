@@ -3,6 +3,7 @@
 
 // The program run_scenario, run as a user runs it.
 
+#include "case_table.h"
 #include "scenario_program.h"
 #include "scenario_runner/Text_input.h"
 #include "temporary_files.h"
@@ -11,6 +12,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -92,144 +94,63 @@ TEST(Report, is_the_same_of_equal_runs_but_for_the_times)
   }
 }
 
-std::string test_name(const testing::TestParamInfo<std::string>& info)
+// The words of a command, which a blank separates; they may be empty.
+Words words_of(const std::string& command)
 {
-  return info.param;
+  std::vector<std::string_view> words;
+  scenario::split_at(' ', command, words);
+  return Words(words.begin() + 1, words.end());
 }
 
-class Thesis_scenarios : public testing::TestWithParam<std::string>
+// Of a value in a report, as `rebuild_reasons.policy=5` and `mcc_min>0.5`.
+void expect_value(const Json& report, const std::string& expectation)
 {
-};
-
-TEST_P(Thesis_scenarios, are_exact_on_every_frame)
-{
-  expect_exact_report(report_of({GetParam(), "--frames", "150"}), 150);
+  const std::size_t place = expectation.find_first_of("<=>");
+  std::string key = '/' + expectation.substr(0, place);
+  std::replace(key.begin(), key.end(), '.', '/');
+  const std::string text = expectation.substr(place + 1);
+  const Json::json_pointer pointer(key);
+  const Json value = report.contains(pointer) ? report.at(pointer) : Json("missing");
+  Json expected = Json::parse(text, nullptr, false);
+  if (expected.is_discarded()) {
+    expected = text;
+  }
+  switch (expectation.at(place)) {
+  case '<':
+    EXPECT_LT(value, expected) << key;
+    break;
+  case '>':
+    EXPECT_GT(value, expected) << key;
+    break;
+  default:
+    EXPECT_EQ(value, expected) << key;
+  }
 }
 
-TEST_P(Thesis_scenarios, stay_valid_under_a_heuristic)
+TEST(Runs, report_what_they_did)
 {
-  for (const char* packing : {"square", "hexagonal"}) {
-    const Json report = report_of({GetParam(), "--frames", "150", "--classifier",
-                                   "point_distance:0.9", "--packing", packing});
-    EXPECT_EQ(report["exact"], false);
-    EXPECT_EQ(report["classifier"], "point_distance");
-    EXPECT_EQ(report["parameter"], 0.9);
-    EXPECT_EQ(report["repair"], "splice");
-    EXPECT_EQ(report["packing"], packing);
-    EXPECT_EQ(report["valid_frames"], 150);
-    EXPECT_GT(report["mcc_min"], 0.5);
+  for (const Case& run : read_cases("runs").cases) {
+    SCOPED_TRACE(run.given);
+    const Json report = report_of(words_of(run.given));
     EXPECT_LE(report["mcc_min"], report["mcc_mean"]);
     EXPECT_LE(report["mcc_mean"], 1.0);
-  }
-}
-
-INSTANTIATE_TEST_SUITE_P(All, Thesis_scenarios,
-                         testing::Values("dam_break", "spinning", "explosion", "static"),
-                         test_name);
-
-TEST(Brownian_motion, is_exact_with_every_repair)
-{
-  for (const char* repair : {"hold_and_flip", "splice", "flip", "relocate", "rebuild"}) {
-    const Json report = report_of({"brownian", "--points", "500", "--frames", "40", "--time-step",
-                                   "0.02", "--repair", repair});
-    SCOPED_TRACE(repair);
-    EXPECT_EQ(report["repair"], repair);
-    EXPECT_EQ(report["time_step"], 0.02);
-    EXPECT_TRUE(report["packing"].is_null());
-    expect_exact_report(report, 40);
-  }
-}
-
-TEST(Engines, run_by_their_names_for_rebuilds_and_for_splices)
-{
-  for (const char* engine : {"guibas_stolfi", "insertion", "bowyer_watson"}) {
-    SCOPED_TRACE(engine);
-    const Words arguments = {"brownian",    "--points", "300",      "--frames", "20",
-                             "--time-step", "0.05",     "--engine", engine,     "--repair"};
-    for (const char* repair : {"rebuild", "splice"}) {
-      const Json report = report_of(with(arguments, {repair}));
-      EXPECT_EQ(report["engine"], engine);
-      expect_exact_report(report, 20);
+    std::istringstream expectations(run.expected);
+    for (std::string word; expectations >> word;) {
+      if (word == "exact") {
+        expect_exact_report(report, report["frames"]);
+      } else {
+        expect_value(report, word);
+      }
     }
   }
 }
 
-TEST(Classifiers, run_by_their_names_and_exact_ones_end_certified)
+TEST(Summary, names_classifier_and_policy_with_their_parameters)
 {
-  const Words arguments = {"brownian", "--points",    "300",  "--frames",
-                           "20",       "--time-step", "0.01", "--classifier"};
-  const auto report_under = [&](const std::string& classifier) {
-    return report_of(with(arguments, {classifier}));
-  };
-  for (const char* name : {"circumcircle", "safe_region", "refined:safe_region+circumcircle",
-                           "refined:circumcircle+safe_region"}) {
-    SCOPED_TRACE(name);
-    const Json report = report_under(name);
-    EXPECT_EQ(report["repair"], "hold_and_flip");
-    expect_exact_report(report, 20);
-  }
-  for (const char* name :
-       {"point_distance", "inflation_aware:0.9", "voronoi_circumcenter",
-        "voronoi_circumcenter_estimated", "voronoi_edge_length:0.3", "random:0.1",
-        "refined:point_distance:1e+0+voronoi_circumcenter", "refined:circumcircle+random:0.5"}) {
-    SCOPED_TRACE(name);
-    const Json report = report_under(name);
-    EXPECT_EQ(report["exact"], false);
-    EXPECT_EQ(report["repair"], "splice");
-    EXPECT_EQ(report["valid_frames"], 20);
-    EXPECT_GT(report["mcc_min"], 0.7);
-  }
-  EXPECT_EQ(report_under("nearly_delaunay")["repair"], "hold_and_flip");
-  EXPECT_EQ(report_under("nearly_delaunay")["parameter"], 0.05);
-}
-
-TEST(Classifiers, that_are_refined_are_reported_with_both_of_their_parts)
-{
-  const Words arguments = {
-      "--points", "200", "--frames", "20", "--classifier", "refined:point_distance+random:0.5",
-      "--seed",   "3"};
-  const Json report = report_of(arguments);
-  EXPECT_EQ(report["classifier"], "refined");
-  EXPECT_EQ(report["parameter"], "point_distance:0.7+random:0.5");
-  EXPECT_EQ(report["seed"], 3);
-  const Outcome outcome = run_program(arguments);
+  const Outcome outcome =
+      run_program({"--points", "200", "--frames", "20", "--policy", "key_frames:8", "--classifier",
+                   "refined:point_distance+random:0.5"});
   EXPECT_TRUE(contains(outcome.output, "refined:point_distance:0.7+random:0.5 (heuristic)"));
-}
-
-TEST(Policies, run_by_their_names_and_are_reported)
-{
-  const Words arguments = {"brownian", "--points",    "300", "--frames",
-                           "20",       "--time-step", "0.3", "--policy"};
-  const auto report_under = [&](const std::string& policy) {
-    const Json report = report_of(with(arguments, {policy}));
-    expect_exact_report(report, 20);
-    return report;
-  };
-  const Json dynamic = report_under("always_dynamic");
-  EXPECT_EQ(dynamic["policy"], "always_dynamic");
-  EXPECT_TRUE(dynamic["policy_parameter"].is_null());
-  EXPECT_FALSE(dynamic["rebuild_reasons"].contains("policy"));
-  EXPECT_EQ(report_under("always_static")["rebuild_reasons"]["policy"], 20);
-  const Json key_frames = report_under("key_frames:4");
-  EXPECT_EQ(key_frames["policy"], "key_frames");
-  EXPECT_EQ(key_frames["policy_parameter"], 4);
-  EXPECT_EQ(key_frames["rebuild_reasons"]["policy"], 5);
-  EXPECT_EQ(report_under("key_frames")["policy_parameter"], 10);
-  const Json hybrid = report_under("hybrid");
-  EXPECT_EQ(hybrid["policy"], "hybrid");
-  EXPECT_GT(hybrid["rebuild_reasons"]["policy"], 15);
-  EXPECT_EQ(report_of({"--frames", "3"})["policy"], "always_dynamic");
-}
-
-TEST(Policies, certify_the_key_frames_of_a_heuristic)
-{
-  const Words arguments = {"dam_break",    "--points", "300",      "--frames",    "40",
-                           "--classifier", "random:0", "--policy", "key_frames:8"};
-  const Json report = report_of(arguments);
-  EXPECT_EQ(report["exact"], false);
-  EXPECT_EQ(report["rebuilds"], 5);
-  EXPECT_GE(report["certified_frames"], 5);
-  const Outcome outcome = run_program(arguments);
   EXPECT_TRUE(contains(outcome.output, "key_frames:8"));
 }
 
@@ -284,11 +205,8 @@ TEST(Recordings, may_have_columns_that_are_named_by_an_option)
   std::string csv = small_csv();
   csv.replace(0, csv.find('\n'), "a,b,c,d,e");
   const std::string path = write_file("unknown.csv", csv);
-  expect_refusal({path}, {"'frame', 'id', 'x' and 'y' are missing", "--columns frame,id,x,y"});
   expect_exact_report(report_of({path, "--columns", "frame,time,id,x,y"}), 7);
   expect_exact_report(report_of({path, "--columns", "frame=A,id=C,x=D,y=E"}), 7);
-  expect_refusal({path, "--columns", "frame,id,x"}, {"--columns", "'frame,id,x'", "allowed are"});
-  expect_refusal({"dam_break", "--columns", "frame,id,x,y"}, {"is no table"});
 }
 
 TEST(Recordings, end_where_they_end_and_seed_the_random_classifier)
@@ -350,77 +268,32 @@ TEST(Help, lists_scenarios_classifiers_repairs_policies_engines_and_formats)
       contains(run_program({"--version"}).output, CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION));
 }
 
-TEST(Mistakes, in_a_name_are_answered_with_the_names_that_exist)
+std::map<std::string, std::string> texts_in(const std::string& directory)
 {
-  expect_refusal({"no_such_scenario"}, {"no_such_scenario", "dam_break", "spinning"});
-  expect_refusal({"no_such_file.csv"}, {"no_such_file.csv"});
-  expect_refusal({"--classifier", "oracle"},
-                 {"oracle", "circumcircle", "safe_region", "point_distance", "inflation_aware",
-                  "voronoi_circumcenter", "voronoi_circumcenter_estimated", "voronoi_edge_length",
-                  "nearly_delaunay", "random", "refined:FIRST+SECOND"});
-  expect_refusal({"--classifier", "refined:oracle+circumcircle"}, {"oracle", "safe_region"});
-  expect_refusal({"--classifier", "refined:circumcircle"}, {"takes two", "safe_region"});
-  for (const char* name : {"refined", "refined:", "refined:1", "refined:1+1", "refined:+"}) {
-    expect_refusal({"--classifier", name}, {"safe_region", "refined:FIRST+SECOND"});
+  std::map<std::string, std::string> texts;
+  for (const auto& file : std::filesystem::directory_iterator(directory)) {
+    texts[file.path().filename().string()] = content_of(file.path().string());
   }
-  expect_refusal({"--classifier", "refined:circumcircle+refined:random+random"},
-                 {"no refined classifier", "safe_region"});
-  expect_refusal({"--repair", "glue"}, {"glue", "splice", "flip", "relocate", "rebuild"});
-  for (const char* name : {"sometimes", "", "Hybrid"}) {
-    expect_refusal({"--policy", name}, {name, "always_dynamic", "always_static", "hybrid",
-                                        "key_frames:K", "from 1 to 1000000"});
-  }
-  expect_refusal({"--engine", "steam"},
-                 {"--engine", "steam", "guibas_stolfi", "insertion", "bowyer_watson"});
-  expect_refusal({"--packing", "round"}, {"round", "square", "hexagonal"});
-  expect_refusal({"--speed", "1"}, {"--speed"});
+  return texts;
 }
 
-TEST(Mistakes, in_a_number_are_answered_with_its_range)
+TEST(Refused_commands, say_why_and_write_nothing)
 {
-  expect_refusal({"--classifier", "point_distance:1.5"}, {"point_distance", "1.5", "from 0 to 1"});
-  expect_refusal({"--classifier", "point_distance:nan"}, {"nan", "from 0 to 1"});
-  expect_refusal({"--classifier", "random:-0.1"}, {"random", "-0.1", "from 0 to 1"});
-  expect_refusal({"--classifier", "random:"}, {"random", "from 0 to 1"});
-  for (const char* name :
-       {"circumcircle", "safe_region", "voronoi_circumcenter", "voronoi_circumcenter_estimated"}) {
-    expect_refusal({"--classifier", std::string(name) + ":1"},
-                   {std::string(name) + " takes no parameter"});
+  const Case_table table = read_cases("commands");
+  const std::string directory = temporary_path("refused");
+  std::filesystem::create_directories(directory);
+  for (const auto& [name, text] : table.files) {
+    write_file("refused/" + name, text);
   }
-  for (const char* name : {"inflation_aware", "voronoi_edge_length", "nearly_delaunay"}) {
-    for (const char* value : {"-0.1", "1.01", "nan", "", "x"}) {
-      expect_refusal({"--classifier", std::string(name) + ":" + value},
-                     {name, value, "from 0 to 1"});
-    }
+  for (const Case& refusal : table.cases) {
+    SCOPED_TRACE(refusal.given);
+    const Outcome outcome =
+        run_program(with(words_of(refusal.given), {"--report", "report.json"}), directory);
+    EXPECT_FALSE(outcome.succeeded);
+    EXPECT_EQ(outcome.output, "");
+    EXPECT_TRUE(says(outcome.errors, "run_scenario: " + refusal.expected + "\n")) << outcome.errors;
+    EXPECT_EQ(texts_in(directory), table.files);
   }
-  expect_refusal({"--classifier", "refined:circumcircle+random:2"}, {"random", "2", "from 0 to 1"});
-  for (const char* value : {"0", "-1", "1000001", "2.5", "", "x"}) {
-    expect_refusal({"--policy", std::string("key_frames:") + value},
-                   {"key_frames", value, "from 1 to 1000000"});
-  }
-  for (const char* name : {"always_dynamic", "always_static", "hybrid"}) {
-    expect_refusal({"--policy", std::string(name) + ":1"}, {name, "takes no parameter"});
-  }
-  expect_refusal({"--frames", "-1"}, {"--frames", "-1", "from 0"});
-  expect_refusal({"--frames", "ten"}, {"--frames", "ten"});
-  expect_refusal({"--points", "0"}, {"--points", "from 1"});
-  expect_refusal({"--points", "99999999999999999999"}, {"--points"});
-  expect_refusal({"--padding", "-1"}, {"--padding", "from 0"});
-  expect_refusal({"--threads", "0"}, {"--threads", "from 1"});
-  for (const char* time_step : {"0", "-1", "nan", "inf", "1e300", "fast"}) {
-    expect_refusal({"--time-step", time_step}, {"--time-step", time_step});
-  }
-}
-
-TEST(Mistakes, in_a_file_are_answered_with_their_place)
-{
-  expect_refusal({write_file("broken.json", "{\n  \"name\": oops\n}\n")},
-                 {"broken.json", "line 2", "column"});
-  expect_refusal({write_file("nan.csv", "frame,time,id,x,y\n0,0,1,2,3\n0,0,2,nan,3\n")},
-                 {"nan.csv", "line 3", "id 2", "nan"});
-  const std::string dump = small_dump();
-  expect_refusal({write_file("cut.lammpstrj", dump.substr(0, dump.size() - 15))},
-                 {"cut.lammpstrj"});
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -587,15 +460,6 @@ TEST(Domain, is_the_same_in_any_file_that_holds_it)
   EXPECT_NEAR(sum(clockwise, "area", "0"), area_of_pentagon, 1e-12);
 }
 
-void expect_refused_domain(const std::string& name, const std::string& text, Words parts)
-{
-  const std::string cells = temporary_path("refused.csv");
-  parts.push_back(name);
-  expect_refusal({"brownian", "--cells", cells, "--domain", write_file(name, text)}, parts);
-  EXPECT_FALSE(std::filesystem::exists(cells));
-  EXPECT_FALSE(std::filesystem::exists(cells + ".part"));
-}
-
 TEST(Domain, may_have_walls_that_divide_cells_by_a_rule)
 {
   // three rooms above a corridor with a pillar; one point is in the middle room, one in the
@@ -638,63 +502,6 @@ TEST(Domain, keeps_its_area_whoever_leaves_it)
     const Rows seen = cells_of({left, "--domain", domain, "--cell-rule", "visible"});
     EXPECT_EQ(seen[1].at("area"), "0");
   }
-}
-
-TEST(Domain, that_is_not_simple_is_refused_by_its_file_and_corner)
-{
-  expect_refused_domain("crossed.wkt", "POLYGON ((0 0, 4 4, 4 0, 0 4, 0 0))",
-                        {"crosses", "one simple polygon"});
-  expect_refused_domain("hole.wkt",
-                        "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0), (7 7, 7 8, 8 8, 8 7, 7 7))",
-                        {"corner 4", "(7, 7)", "inside of the outer boundary"});
-  expect_refused_domain("thin.wkt", "POLYGON ((0 0, 4 0, 0 0))", {"at least three"});
-  expect_refused_domain("nan.wkt", "POLYGON ((0 0, nan 0, 4 4, 0 4, 0 0))",
-                        {"not a finite number"});
-  expect_refused_domain("flat.geojson",
-                        R"({"type": "Polygon", "coordinates": [[[0,0],[1,0],[2,0],[0,0]]]})",
-                        {"corner 2", "(2, 0)", "touches"});
-}
-
-TEST(Domain, in_a_broken_file_is_refused_with_its_place)
-{
-  expect_refused_domain("broken.geojson", "{\n  \"type\": oops\n}\n", {"line 2", "column 11"});
-  expect_refused_domain("broken.wkt", "POLYGON ((0 0, 4 0, four 4, 0 0))",
-                        {"line 1, column 21", "'four' in corner 2 of ring 0"});
-  expect_refused_domain("line.wkt", "LINESTRING (0 0, 4 0)", {"POLYGON"});
-  expect_refused_domain("empty.wkt", "", {"POLYGON"});
-  expect_refused_domain("several.geojson", R"({"type": "MultiPolygon", "coordinates": []})",
-                        {"MultiPolygon with 0 elements", "allowed are a Polygon"});
-  expect_refused_domain("none.geojson", R"({"type": "FeatureCollection", "features": []})",
-                        {"FeatureCollection with 0 elements", "one polygon"});
-  expect_refused_domain("list.geojson", "[1, 2]", {"no GeoJSON"});
-  expect_refused_domain("places.geojson",
-                        R"({"type": "Polygon", "coordinates": [[[0,0],[1,0],["a",1]]]})",
-                        {"place 2 of ring 0", "two numbers"});
-  expect_refused_domain("bare.geojson", R"({"type": "Polygon"})", {"'coordinates' is missing"});
-  expect_refused_domain("room.txt", "POLYGON ((0 0, 4 0, 4 4, 0 0))", {".wkt", ".geojson"});
-  expect_refusal({"--cells", temporary_path("cells.csv"), "--domain", "no_such_file.wkt"},
-                 {"no_such_file.wkt"});
-}
-
-TEST(Cells, are_refused_where_they_have_no_end_or_no_proof_or_no_file)
-{
-  const std::string cells = temporary_path("refused.csv");
-  expect_refusal({"--cells", cells}, {"--cells", "--radius", "--domain"});
-  expect_refusal({"--radius", "1"}, {"--radius", "--cells"});
-  expect_refusal({"--domain", pentagon()}, {"--domain", "--cells"});
-  for (const char* radius : {"0", "-1", "nan", "inf", "1e200", "wide"}) {
-    expect_refusal({"--cells", cells, "--radius", radius}, {"--radius", radius, "1e+100"});
-  }
-  expect_refusal({"--cells", cells, "--radius", "1", "--cell-rule", "visible"},
-                 {"--cell-rule", "--domain"});
-  expect_refusal({"--cells", cells, "--domain", pentagon(), "--cell-rule", "seen"},
-                 {"--cell-rule", "'seen'", "whole, connected and visible"});
-  expect_refusal({"--cells", cells, "--radius", "1", "--classifier", "point_distance"},
-                 {"--cells", "exact", "point_distance:0.7"});
-  expect_refusal({"brownian_periodic", "--cells", cells, "--domain", pentagon()},
-                 {"--domain", "periodic"});
-  const std::string domain = pentagon();
-  expect_refusal({"--cells", domain, "--domain", domain}, {"--cells", "--domain"});
 }
 
 } // namespace

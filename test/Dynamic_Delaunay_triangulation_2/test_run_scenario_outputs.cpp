@@ -643,53 +643,6 @@ TEST(Every, that_is_larger_than_the_run_chooses_its_first_and_last_frame)
   EXPECT_EQ(read_collection(first.directory).files.size(), 1u);
 }
 
-TEST(Every, is_refused_where_it_says_nothing)
-{
-  for (const char* number : {"0", "-1", "2.5", "", "x"}) {
-    expect_refusal({"--every", number, "--xyz", temporary_path("refused.xyz")},
-                   {"--every", number, "from 1"});
-  }
-  expect_refusal({"--every", "2"}, {"--every", "--svg", "--vtk", "--xyz", "--lammps"});
-}
-
-TEST(Wrong_paths, end_the_run_before_it_starts)
-{
-  const std::string nan_point = temporary_path("no_such_directory/file");
-  for (const char* option : {"--csv", "--xyz", "--lammps"}) {
-    expect_refusal({option, nan_point}, {nan_point, "cannot be written"});
-  }
-  for (const char* option : {"--svg", "--vtk"}) {
-    expect_refusal({option, write_file("no_directory", "")}, {"no_directory", "directory"});
-  }
-}
-
-TEST(One_file, for_two_outputs_is_refused)
-{
-  const Words options = {"--csv", "--xyz", "--lammps"};
-  const std::string path = temporary_path("one_for_two");
-  for (const std::string& option : options) {
-    expect_refusal({option, temporary_path("refused.json")}, {option, "--report"});
-    for (const std::string& other : options) {
-      if (option < other) {
-        expect_refusal({other, path, option, temporary_path("./one_for_two")}, {option, other});
-      }
-    }
-  }
-  EXPECT_FALSE(std::filesystem::exists(path));
-}
-
-TEST(One_file, is_not_read_and_written)
-{
-  const std::string path = write_file("only_copy.lammpstrj", small_dump());
-  for (const char* option : {"--lammps", "--xyz", "--csv"}) {
-    expect_refusal({path, option, path}, {option, "SCENARIO"});
-  }
-  EXPECT_EQ(content_of(path), small_dump());
-  const std::string table = write_file("only.xyz.ids.csv", named_csv("Anna Maria"));
-  expect_refusal({table, "--xyz", temporary_path("only.xyz")}, {"table of ids", "SCENARIO"});
-  EXPECT_EQ(content_of(table), named_csv("Anna Maria"));
-}
-
 TEST(Files, of_a_run_that_fails_are_as_they_were)
 {
   if (!std::filesystem::exists("/dev/full")) {

@@ -390,122 +390,12 @@ TEST(Xyz_file, may_have_ids_and_any_columns)
   EXPECT_EQ(recording[1].time, 1.0);
 }
 
-void expect_refused_xyz(const std::string& text, const Words& parts)
-{
-  expect_refusal({write_file("bad.xyz", text)}, parts);
-}
-
-TEST(Xyz_file, with_a_mistake_is_refused_with_its_line)
-{
-  const std::string good = "1\n\nX 1 2 0\n";
-  expect_refused_xyz("", {"bad.xyz", "empty"});
-  expect_refused_xyz("many\n", {"line 1", "number of points"});
-  expect_refused_xyz("-1\n\n", {"line 1", "negative"});
-  expect_refused_xyz("1\n", {"line 1", "head of a frame"});
-  expect_refused_xyz(good + "2\n\nX 1 2 0\n", {"line 6", "2 points expected, 1 found"});
-  expect_refused_xyz("1\n\nX 1\n", {"line 3", "2 fields"});
-  expect_refused_xyz("1\n\nX 1 nan 0\n", {"line 3", "y of id 0", "nan"});
-  expect_refused_xyz("1\nLattice=\"1 2 3\"\nX 1 2 0\n", {"line 2", "3 numbers instead of 9"});
-  expect_refused_xyz("1\nLattice=\"1 2 3\nX 1 2 0\n", {"line 2", "has no end"});
-  expect_refused_xyz("1\nLattice=\"1 0 0 0 nan 0 0 0 1\"\nX 1 2 0\n", {"line 2", "nan"});
-  expect_refused_xyz("1\nLattice=\"1 0 0 2 0 0 0 0 1\"\nX 1 2 0\n", {"line 2", "parallel"});
-  expect_refused_xyz("1\nLattice=\"0 0 0 0 1 0 0 0 1\" pbc=\"T F F\"\nX 1 2 0\n",
-                     {"line 2", "length is 0"});
-  expect_refused_xyz("1\npbc=\"T F F\"\nX 1 2 0\n", {"line 2", "no Lattice"});
-  expect_refused_xyz("1\npbc=\"T F\"\nX 1 2 0\n", {"line 2", "three of T and F"});
-  expect_refused_xyz("1\npbc=\"T F x\"\nX 1 2 0\n", {"line 2", "expected T or F"});
-  expect_refused_xyz("1\npbc=\"y F F\"\nX 1 2 0\n", {"line 2", "expected T or F"});
-  expect_refused_xyz("1\nProperties=species:S\nX 1 2 0\n", {"line 2", "triples"});
-  expect_refused_xyz("1\nProperties=species:S:1\nX 1 2 0\n", {"line 2", "pos:R:3"});
-  expect_refused_xyz("1\nProperties=pos:R:99999999\nX 1 2 0\n", {"line 2", "columns"});
-  expect_refused_xyz("2\nProperties=id:I:1:pos:R:3\n4 1 2 0\n4 2 2 0\n",
-                     {"line 4", "id 4 is twice in frame 0, first in line 3"});
-  expect_refused_xyz(good + "1\nLattice=\"1 0 0 0 1 0 0 0 1\"\nX 1 2 0\n",
-                     {"line 5", "periodic in x and y", "open"});
-}
-
-TEST(Box, that_space_cannot_be_repeated_by_is_refused_with_its_line)
-{
-  const auto expect_refused_box = [](const std::string& box, const Words& parts) {
-    expect_refusal({write_file("bad.dump", "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\n" + box +
-                                               "\nITEM: ATOMS id x y\n1 0 0\n")},
-                   parts);
-  };
-  expect_refused_box("ITEM: BOX BOUNDS pp pp pp\n0 1\n2 2\n0 1", {"line 7", "above", "'2'"});
-  expect_refused_box("ITEM: BOX BOUNDS pp ff pp\n1 0\n0 1\n0 1", {"line 6", "above"});
-  expect_refused_box("ITEM: BOX BOUNDS pp pp pp\n0 nan\n0 1\n0 1", {"line 6", "nan"});
-  expect_refused_box("ITEM: BOX BOUNDS pp pp pp\n0 inf\n0 1\n0 1", {"line 6", "inf"});
-  expect_refused_box("ITEM: BOX BOUNDS pp pp pp\n-1e308 1e308\n0 1\n0 1", {"line 8", "too long"});
-  expect_refused_box("ITEM: BOX BOUNDS xy xz yz pp pp pp\n0 1 nan\n0 1 0\n0 1 0",
-                     {"line 6", "xy", "nan"});
-  expect_refused_box("ITEM: BOX BOUNDS xy xz yz pp pp pp\n0 1 2\n0 1 0\n0 1 0",
-                     {"line 8", "no room"});
-  expect_refused_box("ITEM: BOX BOUNDS xy xz yz pp pp pp\n0 1\n0 1\n0 1", {"line 6", "bound"});
-  expect_refused_box("ITEM: BOX BOUNDS abc origin pp pp pp\n1 2 0 0\n2 4 0 0\n0 0 1 0",
-                     {"line 8", "parallel"});
-  expect_refused_box("ITEM: BOX BOUNDS abc origin ff pp pp\n1 2 0 0\n0 0 0 0\n0 0 1 0",
-                     {"line 8", "length is 0"});
-  expect_refused_box("ITEM: BOX BOUNDS abc origin pp pp pp\n1 2 0\n2 4 0 0\n0 0 1 0",
-                     {"line 6", "vector"});
-}
-
-TEST(Box, may_not_become_periodic_on_the_way)
-{
-  const std::vector<Point> points = {{0.1, 0.2}};
-  const std::string torus = dump_frame(0, rectangle(0.0, 0.0, 1.0, 1.0), points);
-  const std::string slab = dump_frame(1, rectangle(0.0, 0.0, 1.0, 1.0, true, false), points);
-  expect_refusal({write_file("mixed.dump", torus + slab)},
-                 {"mixed.dump", "line 19", "periodic in one direction", "periodic in x and y"});
-}
-
 TEST(Box, that_changes_between_slabs_along_x_and_y_turns_the_slab)
 {
   const std::vector<Point> points = {{0.1, 0.2}, {0.5, 0.9}, {0.8, 0.4}};
   const std::string along_x = dump_frame(0, rectangle(0.0, 0.0, 1.0, 1.0, true, false), points);
   const std::string along_y = dump_frame(1, rectangle(0.0, 0.0, 1.0, 1.0, false, true), points);
   expect_exact_report(report_of({write_file("turned.dump", along_x + along_y)}), 1);
-}
-
-TEST(Periodic_run, follows_with_any_exact_classifier_and_any_repair_policy_and_engine)
-{
-  for (const Words& words :
-       {Words{"--repair", "flip"}, Words{"--repair", "splice", "--padding", "2"},
-        Words{"--repair", "relocate"}, Words{"--repair", "rebuild"}, Words{"--policy", "hybrid"},
-        Words{"--policy", "always_static"}, Words{"--engine", "insertion"},
-        Words{"--classifier", "safe_region"}}) {
-    const Json report =
-        report_of(with({"brownian_periodic", "--points", "100", "--frames", "5"}, words));
-    expect_exact_report(report, 5);
-    EXPECT_EQ(report["cell"], "torus");
-    EXPECT_EQ(report[words[0].substr(2)], words[1]);
-  }
-}
-
-TEST(Periodic_run, says_how_much_a_heuristic_classifier_misses)
-{
-  const Json blind = report_of({"brownian_periodic", "--points", "200", "--frames", "40",
-                                "--classifier", "random:0", "--time-step", "1"});
-  EXPECT_EQ(blind["exact"], false);
-  EXPECT_EQ(blind["cell"], "torus");
-  EXPECT_EQ(blind["repair"], "splice");
-  EXPECT_LT(blind["certified_frames"], 40);
-  EXPECT_LT(blind["mcc_min"], 1);
-  const Json nearly_exact = report_of({"brownian_periodic", "--points", "200", "--frames", "40",
-                                       "--classifier", "voronoi_circumcenter"});
-  EXPECT_EQ(nearly_exact["certified_frames"], 40);
-  EXPECT_EQ(nearly_exact["mcc_min"], 1);
-  EXPECT_GT(nearly_exact["classified_mean"], 0);
-  EXPECT_GT(nearly_exact["padded_mean"], 0);
-  EXPECT_GT(nearly_exact["border_mean"], 0);
-}
-
-TEST(Periodic_scenarios, are_followed_without_a_rebuild)
-{
-  expect_whole(report_of({"brownian_periodic", "--points", "400", "--frames", "60"}), 60, "torus");
-  expect_whole(report_of({"static_periodic", "--frames", "60"}), 60, "torus");
-  expect_whole(
-      report_of({"static_periodic", "--frames", "60", "--points", "200", "--packing", "hexagonal"}),
-      60, "torus");
 }
 
 std::vector<run::Periodic_face> faces_of(const run::Run_view& periodic)
@@ -577,15 +467,10 @@ TEST(Brownian_motion, in_a_channel_crosses_only_its_open_ends)
   EXPECT_GT(wraps, 5u);
 }
 
-TEST(Scenario_file, may_close_its_box_and_needs_a_box_to_open_it)
+TEST(Scenario_file, may_close_its_box)
 {
   EXPECT_FALSE(
       scenario::open_motion(write_file("closed.json", channel_scenario("closed")))->cell());
-  expect_refusal({write_file("round.json", channel_scenario("round"))},
-                 {"cell", "round", "closed, channel, periodic"});
-  std::string text = content_of(scenario::scenario_file("static_periodic"));
-  text.erase(text.find("  \"box\""), text.find("  \"cell\"") - text.find("  \"box\""));
-  expect_refusal({write_file("boxless.json", text)}, {"cell", "box"});
 }
 
 TEST(Block_on_a_torus, is_bonded_across_its_sides)
