@@ -104,11 +104,11 @@ constexpr std::size_t number_of_options = Option_2<Kind, void, Options...>::numb
 template <class... Options>
 struct Options_check_2
 {
-  static constexpr std::size_t numbers[] = {number_of_options<With_repair_2, Options...>,
-                                            number_of_options<With_data_structure_2, Options...>,
-                                            number_of_options<With_policy_2, Options...>,
-                                            number_of_options<With_visitor_2, Options...>,
-                                            number_of_options<With_concurrency_2, Options...>};
+  static constexpr std::size_t numbers[5] = {number_of_options<With_repair_2, Options...>,
+                                             number_of_options<With_data_structure_2, Options...>,
+                                             number_of_options<With_policy_2, Options...>,
+                                             number_of_options<With_visitor_2, Options...>,
+                                             number_of_options<With_concurrency_2, Options...>};
   static_assert(numbers[0] + numbers[1] + numbers[2] + numbers[3] + numbers[4] ==
                     sizeof...(Options),
                 "after the classifier, a triangulation takes the options With_repair_2<>, "
