@@ -288,7 +288,7 @@ test("cells cut by a box fill it, and corners are those of the cell", async () =
   const { areas, centroids } = triangulation.cells([0, 0, 4, 4]);
   assert.ok(Math.abs(areas.reduce((sum, area) => sum + area) - 16) < 1e-12);
   assert.ok(Math.abs(areas[4] - 8) < 1e-12);
-  assert.deepEqual(Array.from(centroids.slice(8)), [2, 2]);
+  centroids.slice(8).forEach(x => assert.ok(Math.abs(x - 2) < 1e-12));
   assert.deepEqual(rows(triangulation.cellCorners(4), 2).sort().toString(), "0,2,2,0,2,4,4,2");
   assert.equal(triangulation.cellCorners(0).length, 0);
   assert.equal(triangulation.cells().areas[0], Infinity);

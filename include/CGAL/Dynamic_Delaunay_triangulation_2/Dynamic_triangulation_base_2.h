@@ -344,8 +344,7 @@ public:
   /// around the hull if it changes; if points coincide, also proportional to the number of
   /// duplicates.
   ///
-  /// \tparam IdMap, PointMap models of `ReadablePropertyMap` from the range's values to ids, which
-  /// are
+  /// \tparam IdMap, PointMap models of `ReadablePropertyMap` from the range's values to ids, any
   ///   integers, and to `Point`; by default the values are pairs of both.
   /// \throws Unknown_id_error_2 if an id belongs to no point.
   /// \throws Repeated_id_error_2 if an id is given more than once.

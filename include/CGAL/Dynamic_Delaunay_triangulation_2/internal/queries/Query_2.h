@@ -55,26 +55,27 @@ public:
   }
   bool is_at(const Site& site) const { return m_geometry.coincide(site, m_point); }
 
-  // A site with its squared distance, rounded, and twice a bound on the error of that, which covers
-  // the sum or difference that makes an end of the interval.
+  // A site, and an interval of its squared distance.
   struct Measured
   {
     Site site;
-    double square, error;
+    double least, most;
   };
 
-  // Without an error of coordinates, the bound is at most 20u times the square, where u = 2^-53.
+  // Without an error of coordinates, that of the square is at most 20u times the square, where
+  // u = 2^-53. Taken twice, the bound covers the sum or difference that makes an end.
   Measured measured(const Site& a) const
   {
     double e = 0;
     const Position_2 v = m_geometry.rough_vector(m_point, a, e);
     const double square = dot(v, v);
-    return {a, square, e == 0 ? 0x1p-48 * square + 1e-300 : 2 * error_of_product(v, v, e)};
+    const double error = e == 0 ? 0x1p-48 * square + 1e-300 : 2 * error_of_product(v, v, e);
+    return {a, square - error, square + error};
   }
 
   Comparison_result compare(const Measured& a, const Measured& b) const
   {
-    const Comparison_result result = filtered(a.square, a.error, b.square, b.error);
+    const Comparison_result result = filtered(a, b.least, b.most);
     return result != EQUAL ? result : m_geometry.compare_distances(m_point, a.site, b.site);
   }
 
@@ -82,17 +83,15 @@ public:
   Comparison_result compare_square(const Measured& a, const FT& other) const
   {
     const auto [lower, upper] = CGAL::to_interval(other);
-    const Comparison_result result = lower == upper ? filtered(a.square, a.error, lower, 0) : EQUAL;
+    const Comparison_result result = lower == upper ? filtered(a, lower, upper) : EQUAL;
     return result != EQUAL ? result : m_geometry.compare_squared_distance(m_point, a.site, other);
   }
 
 private:
   // EQUAL if undecided, as where something overflows.
-  static Comparison_result filtered(double s, double error_of_s, double t, double error_of_t)
+  static Comparison_result filtered(const Measured& a, double least, double most)
   {
-    return s + error_of_s < t - error_of_t   ? SMALLER
-           : t + error_of_t < s - error_of_s ? LARGER
-                                             : EQUAL;
+    return a.most < least ? SMALLER : most < a.least ? LARGER : EQUAL;
   }
 
   const Geometry m_geometry;
