@@ -92,7 +92,7 @@ public:
     if (arrays().is_hidden(diagonal))
       flip_shifted(h);
     else
-      arrays().flip_in_one_frame(h); // all shifts are zero there, and stay so
+      arrays().flip_in_one_chart(h); // all shifts are zero there, and stay so
     note_edge(Kind::EDGE_CREATED, arrays().halfedge(diagonal), log);
   }
 
@@ -133,7 +133,7 @@ public:
   // its edges.
   void after_face(Face_index f)
   {
-    move_frame(f);
+    move_chart(f);
     for (const Halfedge_index h : Arrays::halfedges_of(f))
       show_or_hide(arrays().edge_of(h));
   }
@@ -159,7 +159,7 @@ public:
       arrays().hide_edge(e);
   }
 
-  void move_frame(Face_index f)
+  void move_chart(Face_index f)
   {
     const Periodic_shift_2 first = shifts()[Arrays::halfedge_in(f, 0)];
     for (const Halfedge_index h : Arrays::halfedges_of(f))

@@ -18,9 +18,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // What `Topology_editor_2` does in the plane alone: user data follow the numbers of vertices and
 // faces, and the user's visitor is told of each change at once. The builder tells the visitor
-// through it, too. No changes are kept to be told
-// later, so no memory is reserved for that. Only finish_visit(), reserve_for_slot(), append_slot()
-// and operations on users' values can throw.
+// through it, too. No changes are kept to be told later, so no memory is reserved for that. Only
+// finish_visit(), reserve_for_slot(), append_slot() and operations on users' values can throw.
 template <class State>
 class Plane_editing_2
 {

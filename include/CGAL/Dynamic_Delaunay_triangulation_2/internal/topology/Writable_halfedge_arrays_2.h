@@ -242,7 +242,7 @@ public:
 
   // Flips the edge at h where both faces lie in one chart, so that they share only this edge. Takes
   // less than half of the time of flip_glued(), because it reads nothing beyond the sides.
-  void flip_in_one_frame(Halfedge_index h)
+  void flip_in_one_chart(Halfedge_index h)
   {
     const Halfedge_index g = twin(h);
     const Edge_index ab = edge_of(previous(h)), dc = edge_of(previous(g));
