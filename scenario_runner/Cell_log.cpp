@@ -38,8 +38,10 @@ void Cell_log::write(const Run_view& run)
   const scenario::Motion& motion = run.motion();
   for (std::size_t i = 0; i != cells.size(); ++i) {
     const Shown_cell& cell = cells[i];
-    const std::optional<double> density =
-        cell.area > 0.0 ? std::optional(1.0 / cell.area) : std::nullopt;
+    std::optional<double> density;
+    if (cell.area > 0.0) {
+      density = 1.0 / cell.area;
+    }
     m_file.write(run.record().number, motion.time(), motion.id_text(i), motion.points()[i].x,
                  motion.points()[i].y, cell.area, density, cell.perimeter, cell.contacts,
                  cell.free_length, cell.wall_length);

@@ -12,11 +12,6 @@ namespace scenario {
 
 namespace {
 
-bool is_one_of(char c, std::string_view characters)
-{
-  return characters.find(c) != std::string_view::npos;
-}
-
 // The title of a column: `x`, or `X/m`, `x [m]`, `x (m)`. A title that goes on in another way, as
 // the quotient `x/y`, does not name the column `x`.
 class Csv_title

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr const char* const allowed_types =
+constexpr const char* const allowed_objects =
     "allowed are a Polygon, and a MultiPolygon, GeometryCollection, Feature or FeatureCollection "
     "of one";
 
@@ -47,7 +47,7 @@ public:
       return polygon_of_coordinates(only_one(object, "coordinates"));
     }
     if (type != "Polygon") {
-      fail("holds a " + in_quotes(type) + ", " + allowed_types);
+      fail("holds a " + in_quotes(type) + ", " + allowed_objects);
     }
     return polygon_of_coordinates(member(object, "coordinates"));
   }
@@ -61,7 +61,7 @@ private:
   std::string type_of(const Json& object) const
   {
     if (!object.is_object() || !object.contains("type") || !object["type"].is_string()) {
-      fail("is no GeoJSON: an object has no 'type', " + std::string(allowed_types));
+      fail("is no GeoJSON: an object has no 'type', " + std::string(allowed_objects));
     }
     return object["type"];
   }
@@ -83,7 +83,7 @@ private:
     }
     if (list.size() != 1) {
       fail("is a " + std::string(object["type"]) + " with " + std::to_string(list.size()) +
-           " elements in '" + key + "', and a domain is one polygon; " + allowed_types);
+           " elements in '" + key + "', and a domain is one polygon; " + allowed_objects);
     }
     return list[0];
   }

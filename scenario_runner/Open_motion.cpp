@@ -18,11 +18,6 @@ namespace scenario {
 
 namespace {
 
-std::filesystem::path without_gz(const std::filesystem::path& file)
-{
-  return lower_case(file.extension().string()) == ".gz" ? file.parent_path() / file.stem() : file;
-}
-
 bool is_scenario_file(const std::string& path)
 {
   return lower_case(without_gz(path).extension().string()) == ".json";

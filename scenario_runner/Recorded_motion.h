@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -102,6 +103,9 @@ enum class Recording_format { TABLE, LAMMPS_DUMP, XYZ, MTRACKJ };
 // The extensions of recordings, for messages.
 inline const std::string recording_extensions =
     ".csv, .tsv, .txt, .pp, .lammpstrj, .dump, .xyz, .extxyz or .mdf";
+
+// The name of a file without the extension of what compressed it.
+std::filesystem::path without_gz(const std::filesystem::path& file);
 
 // The format by the extension of a file, compressed or not; nothing if that does not tell.
 std::optional<Recording_format> format_by_name(const std::string& path);

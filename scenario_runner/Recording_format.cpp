@@ -51,11 +51,6 @@ std::optional<Format> format_by_content(std::string_view text)
   return is_number(line, number) ? std::optional(Format::XYZ) : std::nullopt;
 }
 
-std::filesystem::path without_gz(const std::filesystem::path& file)
-{
-  return extension_of(file) == ".gz" ? file.parent_path() / file.stem() : file;
-}
-
 // Without an extension, as from standard input, it is a table.
 Format format_of(const std::string& file, std::string_view text)
 {
@@ -71,6 +66,11 @@ Format format_of(const std::string& file, std::string_view text)
 }
 
 } // namespace
+
+std::filesystem::path without_gz(const std::filesystem::path& file)
+{
+  return extension_of(file) == ".gz" ? file.parent_path() / file.stem() : file;
+}
 
 std::optional<Recording_format> format_by_name(const std::string& path)
 {

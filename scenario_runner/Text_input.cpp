@@ -243,6 +243,11 @@ std::string lower_case(std::string text)
   return text;
 }
 
+bool is_one_of(char c, std::string_view characters)
+{
+  return characters.find(c) != std::string_view::npos;
+}
+
 bool is_blank(char c)
 {
   return c == ' ' || c == '\t' || c == '\r';

@@ -62,6 +62,7 @@ std::string_view without_byte_order_mark(const std::string& file, std::string_vi
 std::string joined(const std::vector<std::string>& words);
 std::string lower_case(std::string text);
 bool is_blank(char c);
+bool is_one_of(char c, std::string_view characters);
 std::string_view trimmed(std::string_view text);
 void split_at_blanks(std::string_view line, std::vector<std::string_view>& fields);
 void split_at(char separator, std::string_view line, std::vector<std::string_view>& fields);

@@ -18,7 +18,7 @@ namespace scenario {
 
 namespace {
 
-constexpr const char* const allowed_types =
+constexpr const char* const allowed_texts =
     "allowed are POLYGON ((x y, x y, ...)), and a MULTIPOLYGON or GEOMETRYCOLLECTION of one";
 
 // One of ( ) , ; = or a word or number, which ends before the next of them or a blank. Empty at the
@@ -122,7 +122,7 @@ public:
       m_scanner.fail_found("expected nothing behind the polygon");
     }
     if (m_rings.empty()) {
-      m_scanner.fail(std::string("holds no polygon: it is EMPTY, ") + allowed_types, begin);
+      m_scanner.fail(std::string("holds no polygon: it is EMPTY, ") + allowed_texts, begin);
     }
     return polygon_of_rings(std::move(m_rings));
   }
@@ -187,7 +187,7 @@ private:
     }
     const std::optional<Type> type = type_named(name);
     if (!type) {
-      m_scanner.fail_found(std::string("is no polygon in well-known text: ") + allowed_types);
+      m_scanner.fail_found(std::string("is no polygon in well-known text: ") + allowed_texts);
     }
     m_scanner.take();
     return {*type, numbers ? *numbers : read_numbers_of_corners()};
@@ -233,7 +233,7 @@ private:
     std::vector<std::vector<Point>> rings;
     read_list("rings", [&] { rings.push_back(read_ring(rings.size(), numbers)); });
     if (is_another && !rings.empty()) {
-      m_scanner.fail(std::string("holds a second polygon, and a domain is one; ") + allowed_types,
+      m_scanner.fail(std::string("holds a second polygon, and a domain is one; ") + allowed_texts,
                      begin);
     }
     if (!rings.empty()) {

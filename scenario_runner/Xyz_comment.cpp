@@ -4,6 +4,7 @@
 #include "scenario_runner/Xyz_comment.h"
 
 #include "scenario_runner/Frame_reading.h"
+#include "scenario_runner/Text_input.h"
 
 #include <algorithm>
 #include <array>
@@ -20,11 +21,6 @@ constexpr std::string_view blanks = " \t\r";
 // The keys that are read, as the format's specification and other programs spell them.
 constexpr std::array<std::string_view, 6> keys = {"Lattice",    "pbc",  "Origin",
                                                   "Properties", "Time", "Frame"};
-
-bool is_one_of(char c, std::string_view characters)
-{
-  return characters.find(c) != std::string_view::npos;
-}
 
 bool is_key(const std::string& word)
 {
