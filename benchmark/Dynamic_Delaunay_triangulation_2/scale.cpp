@@ -31,6 +31,13 @@
 // calm and rough frames, and after a rebuild; beyond is that after rough frames minus that of
 // CGAL's own triangulation of the points. Peaks are maxima over time; GB is the largest of them.
 //
+// With --serial one thread measures how much of its time it spends in parts, which threads would
+// share, and how much elsewhere, phase by phase: decide looks at a sample of the edges; rest is all
+// that has no name, such as the proof. serial is the time outside of parts, and share its part of
+// the whole. x16 is how many times faster 16 threads would be that share the very same parts, each
+// taking the next one as soon as it is free: an upper limit, without waking threads up, and as if
+// caches and memory served them all at once. All figures are medians over the frames.
+//
 // Outside of the timing every frame has to be certified, all numbers of threads have to lead to the
 // same edges with the same numbers, and up to 200,000 points the last frame has to agree with a
 // fresh triangulation. From 10,000 points on no peak may be higher than 450 bytes a point. The
@@ -41,6 +48,7 @@
 #include "scale/Scale_motion.h"
 #include "scale/Scale_output.h"
 #include "scale/Scale_run.h"
+#include "scale/Serial_share.h"
 #include "scale/Stream_bandwidth.h"
 
 #include <CLI/CLI.hpp>
@@ -63,6 +71,7 @@ struct Scale_options
   std::vector<unsigned> threads{1, 2};
   std::filesystem::path output{RESULTS_DIR "/scale"};
   bool is_quick = false;
+  bool is_serial = false;
 };
 
 const Motion_kind drift{"drift", 0.01, 0.0, 0.0, false};
@@ -85,6 +94,8 @@ void add_options(CLI::App& app, Scale_options& options)
                      CLI::Range(1, most_threads));
   common::add_option(app, "--output", options.output, "DIR",
                      "where CSV files and the figure go; default build/dev/bench/scale");
+  app.add_flag("--serial", options.is_serial,
+               "on one thread, how much of the time threads could share, phase by phase");
   app.add_flag("--quick", options.is_quick, "a first look, in some seconds");
 }
 
@@ -126,6 +137,33 @@ std::vector<Case_record> run_cases(const Scale_options& options, Time_table& tab
   return records;
 }
 
+template <class Space>
+void write_serial_shares(Serial_table& table, const std::string& space, std::size_t points,
+                         std::size_t frames)
+{
+  Serial_run<Space> run(points, frames);
+  const auto name = [&](const std::string& what) {
+    return space + what + '/' + std::to_string(points);
+  };
+  for (const double step : {0.001, 0.01, 0.03, 0.1}) {
+    const Motion_kind kind{"steps of " + common::cell(step, 3), 0.0, step, 0.0, false};
+    table.write(name(kind.name), points, run.follow(kind));
+  }
+  table.write(name(rebuild.name), points, run.follow(rebuild));
+  table.write(name("5 % exchanged"), points, run.exchange(5));
+  table.write(name("construction"), points, run.construct());
+}
+
+void write_serial_shares(const Scale_options& options)
+{
+  Serial_table table(std::cout);
+  for (const std::size_t points : options.points) {
+    const std::size_t frames = options.is_quick ? 3 : 9;
+    write_serial_shares<Measured_in_the_plane>(table, "", points, frames);
+    write_serial_shares<Measured_in_a_cell>(table, "cell ", points, frames);
+  }
+}
+
 Bandwidths measure_bandwidths(const Scale_options& options)
 {
   constexpr std::size_t elements = 16'000'000, few_elements = 1'000'000;
@@ -152,9 +190,15 @@ std::vector<Memory_record> measure_memory(const Scale_options& options)
 bool run_scale(Scale_options options, const std::string& command)
 {
   if (options.points.empty()) {
-    options.points = options.is_quick
-                         ? std::vector<std::size_t>{1000, 20'000}
+    options.points = options.is_quick ? std::vector<std::size_t>{1000, 20'000}
+                     : options.is_serial
+                         ? std::vector<std::size_t>{100'000, 1'000'000}
                          : std::vector<std::size_t>{1000, 10'000, 100'000, 1'000'000, 10'000'000};
+  }
+  if (options.is_serial) {
+    write_serial_shares(options);
+    std::cout << '\n' << command << std::endl;
+    return true;
   }
   std::filesystem::create_directories(options.output);
   const Bandwidths bandwidths = measure_bandwidths(options);

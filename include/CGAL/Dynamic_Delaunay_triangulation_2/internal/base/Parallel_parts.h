@@ -6,42 +6,24 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
-#include <CGAL/tags.h>
-
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#endif
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Part_runner.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <exception>
-#include <mutex>
-#include <new>
-#include <type_traits>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // Divides a range into parts, which threads share if the tag is `Parallel_tag`. The parts depend on
 // the size of the range alone: results that are computed for each part, and joined in the order of
 // the parts, are the same for any number of threads and for both tags.
-//
-// The threads are those of the caller's TBB arena. Each takes the first part that no thread has
-// taken, until all are taken. The calling thread works, too. If TBB has no memory for tasks, or
-// cancels them together with an algorithm of the caller, the calling thread does the remaining
-// parts. So only exceptions of parts are thrown. Of several exceptions, that of the first part is
-// thrown, as without threads: when a part throws, all parts before it have been taken, and are
-// completed.
 template <class ConcurrencyTag>
 class Parallel_parts
 {
+  using Runner = Part_runner<ConcurrencyTag>;
+
 public:
-  static constexpr bool is_parallel = std::is_convertible_v<ConcurrencyTag, Parallel_tag>;
-#ifndef CGAL_LINKED_WITH_TBB
-  static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support");
-#endif
+  static constexpr bool is_parallel = Runner::is_parallel;
 
   // The usual number of elements of a part, and the least number of parts that threads share:
   // waking a thread up takes 5 to 20 microseconds, and a pass a few nanoseconds for each element.
@@ -130,92 +112,14 @@ public:
   template <class Function>
   static void run(std::size_t parts, const Function& f)
   {
-#ifdef CGAL_LINKED_WITH_TBB
-    if constexpr (is_parallel)
-      if (const std::size_t workers = number_of_workers(parts); workers > 1)
-        return run_by_threads(parts, workers, f);
-#endif
-    for (std::size_t part = 0; part < parts; ++part)
-      f(part);
+    Runner::run(parts, number_of_workers(parts), f);
   }
 
 private:
-  static std::size_t number_of_workers([[maybe_unused]] std::size_t parts)
+  static std::size_t number_of_workers(std::size_t parts)
   {
-#ifdef CGAL_LINKED_WITH_TBB
-    if constexpr (is_parallel)
-      if (parts >= least_shared)
-        return (std::min)(parts,
-                          std::size_t((std::max)(tbb::this_task_arena::max_concurrency(), 1)));
-#endif
-    return 1;
+    return parts < least_shared ? 1 : (std::min)(parts, Runner::most_workers());
   }
-
-#ifdef CGAL_LINKED_WITH_TBB
-
-  template <class Function>
-  static void run_by_threads(std::size_t parts, std::size_t workers, const Function& f)
-  {
-    Part_queue queue(parts);
-    try {
-      // a thread that waits must not take other work of the caller, who may hold a lock
-      tbb::this_task_arena::isolate(
-          [&] { tbb::parallel_for(std::size_t(0), workers, [&](std::size_t) { queue.work(f); }); });
-    } catch (const std::bad_alloc&) { // thrown by TBB: work() throws nothing
-    }
-    queue.work(f);
-    queue.finish();
-  }
-
-  class Part_queue
-  {
-  public:
-    explicit Part_queue(std::size_t parts)
-      : m_parts(parts)
-    {
-    }
-
-    // Takes parts until none is left. Each thread has a floating-point mode of its own.
-    template <class Function>
-    void work(const Function& f)
-    {
-      const Default_floating_point floating_point;
-      for (;;) {
-        const std::size_t part = m_next.fetch_add(1, std::memory_order_relaxed);
-        if (part >= m_parts)
-          return;
-        try {
-          f(part);
-        } catch (...) {
-          note_failure(part);
-        }
-      }
-    }
-
-    void finish()
-    {
-      if (m_failure)
-        std::rethrow_exception(m_failure);
-    }
-
-  private:
-    void note_failure(std::size_t part)
-    {
-      m_next.store(m_parts, std::memory_order_relaxed); // no further parts
-      const std::lock_guard<std::mutex> lock(m_mutex);
-      if (part < m_failed_part) {
-        m_failed_part = part;
-        m_failure = std::current_exception();
-      }
-    }
-
-    const std::size_t m_parts;
-    std::atomic<std::size_t> m_next{0};
-    std::mutex m_mutex;
-    std::size_t m_failed_part = std::size_t(-1);
-    std::exception_ptr m_failure;
-  };
-#endif // CGAL_LINKED_WITH_TBB
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
