@@ -65,8 +65,8 @@ public:
       while (!is_on_line && Frame::is_infinite(frame.edge(e))) {
         ++e;
       }
-      edges.push_back({places[frame.vertex(i)], places[frame.vertex(j)],
-                       is_on_line || frame.is_delaunay(e++)});
+      edges.push_back(
+          {places[frame.vertex(i)], places[frame.vertex(j)], is_on_line || frame.is_delaunay(e++)});
     });
     return edges;
   }

@@ -111,8 +111,8 @@ class Dynamic_Delaunay_triangulation_2
   friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
   using typename Base::Face_index;
   using typename Base::Point_id;
-  using typename Base::Vertex_index;
   using typename Base::State;
+  using typename Base::Vertex_index;
   template <class Range>
   using If_range = typename Base::template If_range<Range>;
   template <class Map>

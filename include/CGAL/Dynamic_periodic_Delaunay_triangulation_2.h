@@ -110,11 +110,11 @@ class Dynamic_periodic_Delaunay_triangulation_2
   using Base = Dynamic_triangulation_base_2<Dynamic_periodic_Delaunay_triangulation_2>;
   friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
   using Arrays = Dynamic_Delaunay_triangulations_2::internal::Halfedge_arrays_2;
-  using typename Base::Floating_point;
-  using typename Base::Identity_map;
   using typename Base::Edge_index;
   using typename Base::Face_index;
+  using typename Base::Floating_point;
   using typename Base::Halfedge_index;
+  using typename Base::Identity_map;
   using typename Base::Point_id;
   template <class Range>
   using If_range = typename Base::template If_range<Range>;

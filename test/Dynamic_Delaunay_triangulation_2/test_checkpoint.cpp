@@ -721,11 +721,12 @@ using Triple = std::array<unsigned, 3>;
 
 const char* flaw_of(const std::vector<Triple>& triples, unsigned vertices)
 {
-  namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2;
   internal::Flat_faces_2 faces;
   faces.resize(triples.size());
-  for (unsigned f = 0; f < triples.size(); ++f)
-    faces.set_vertices(f, triples[f][0], triples[f][1], triples[f][2]);
+  Face_index f(0);
+  for (const auto& [a, b, c] : triples)
+    faces.set_vertices(f++, Vertex_index(a), Vertex_index(b), Vertex_index(c));
   return internal::Surface_check_2(faces, vertices).link_and_run().what;
 }
 

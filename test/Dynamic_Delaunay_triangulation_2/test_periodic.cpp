@@ -43,8 +43,8 @@ using Visited = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::De
                                                                 CGAL::With_visitor_2<Visitor>>;
 using Vector = Kernel::Vector_2;
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
-using CGAL::Dynamic_Delaunay_triangulations_2::Edge_state_2;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
+using CGAL::Dynamic_Delaunay_triangulations_2::Edge_state_2;
 using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
 
 // A visitor that keeps a set of edges only by the changes of which it is notified.

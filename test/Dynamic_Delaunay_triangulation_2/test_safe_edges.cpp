@@ -632,7 +632,8 @@ TEST(Edge_slack, keeps_the_hull_from_turning_back_on_itself_where_it_says_so)
 // Which vertices have moved.
 
 std::vector<Vertex_index> moved_vertices(const std::vector<Position_2>& positions,
-                                         const std::vector<Position_2>& references, double tolerance)
+                                         const std::vector<Position_2>& references,
+                                         double tolerance)
 {
   std::vector<Vertex_index> vertices;
   EXPECT_TRUE(internal::append_moved(positions, references, tolerance, positions.size(), vertices));
@@ -925,8 +926,9 @@ private:
     ++hull_claims;
     EXPECT_EQ(number_of_turns(frame), 1);
     bool is_convex = true;
-    frame.for_each_incident_edge(internal::infinite_index,
-                                 [&](Edge_index e) { is_convex = is_convex && frame.is_delaunay(e); });
+    frame.for_each_incident_edge(internal::infinite_index, [&](Edge_index e) {
+      is_convex = is_convex && frame.is_delaunay(e);
+    });
     EXPECT_TRUE(!is_convex || frame.hull_turns_once());
   }
 };

@@ -35,8 +35,8 @@ using CGAL::Static_engine_2;
 using CGAL::Static_engines_2;
 using CGAL::Dynamic_Delaunay_triangulations_2::Face_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
-using CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
+using CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
 using Points = Cloud<Epick>::Points;
 
 constexpr Static_engine_2 all_engines[] = {

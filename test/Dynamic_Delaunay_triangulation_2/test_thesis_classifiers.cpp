@@ -38,8 +38,8 @@ using CGAL::Dynamic_Delaunay_triangulations_2::Edge_2;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Face_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
-using CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
+using CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
 
 template <class Classifier, class Repair = CGAL::Default>
 using Triangulation =

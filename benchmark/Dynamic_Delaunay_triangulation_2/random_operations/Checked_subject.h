@@ -121,7 +121,8 @@ public:
   bool is_at_hull(Key key) const override
   {
     bool is_at_hull = false;
-    for_each_neighbor(key, [&](Vertex_index v) { is_at_hull = is_at_hull || Frame::is_infinite(v); });
+    for_each_neighbor(key,
+                      [&](Vertex_index v) { is_at_hull = is_at_hull || Frame::is_infinite(v); });
     return is_at_hull;
   }
 

@@ -64,8 +64,7 @@ public:
           v, "vertex", frame.number_of_vertices() + std::int64_t(1)));
     }
     for (const std::int64_t e : named.edges) {
-      classified.add_edge(
-          index<typename Frame::Edge_index>(e, "edge", frame.number_of_edges()));
+      classified.add_edge(index<typename Frame::Edge_index>(e, "edge", frame.number_of_edges()));
     }
   }
 
@@ -108,9 +107,7 @@ private:
       return numbers;
     };
     Frame_copies copies;
-    copies.positions = [=] {
-      return positions([&](Vertex_index v) { return frame.position(v); });
-    };
+    copies.positions = [=] { return positions([&](Vertex_index v) { return frame.position(v); }); };
     copies.previous_positions = [=] {
       if (!is_classifying) {
         throw std::invalid_argument("previous positions are there only while classifying");

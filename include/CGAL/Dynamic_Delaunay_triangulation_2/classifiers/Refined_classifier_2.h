@@ -212,8 +212,9 @@ private:
 
   First m_first;
   Second m_second;
-  Dynamic_Delaunay_triangulations_2::internal::Index_set<Edge_index> m_seen;  // edges
-  Dynamic_Delaunay_triangulations_2::internal::Index_set<Edge_index> m_named; // edges, by the second one
+  Dynamic_Delaunay_triangulations_2::internal::Index_set<Edge_index> m_seen; // edges
+  Dynamic_Delaunay_triangulations_2::internal::Index_set<Edge_index>
+      m_named; // edges, by the second one
 };
 
 } // namespace CGAL

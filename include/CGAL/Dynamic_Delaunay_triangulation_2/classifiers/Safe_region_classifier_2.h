@@ -203,7 +203,7 @@ private:
   std::size_t m_cell_changes = 0;       // when these were taken
   std::vector<double> m_squared_bounds; // of the disks' radii; negative where there is no disk
   std::vector<double> m_tolerances;     // of each edge
-  std::vector<Vertex_index> m_moved;           // vertices that left their disks
+  std::vector<Vertex_index> m_moved;    // vertices that left their disks
   std::vector<Edge_index> m_unproved;
   Dynamic_Delaunay_triangulations_2::internal::Index_set<Edge_index> m_edges;
   Dynamic_Delaunay_triangulations_2::internal::Index_set<Vertex_index> m_vertices;

@@ -78,6 +78,7 @@ public:
       throw Unknown_id_error_2(id, m_state->ids().number_of_ids());
     add_vertex(m_state->ids().vertex(Point_id(id)));
   }
+  void add_id(Vertex_index) = delete; ///< a vertex is no id.
 
   /// classifies the four vertices of edge `e` because of that edge alone: repairs that work on
   /// edges start at `e`, and need not test the other edges of its vertices.

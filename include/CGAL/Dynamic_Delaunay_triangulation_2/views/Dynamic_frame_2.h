@@ -89,6 +89,7 @@ public:
   bool has_id(std::size_t id) const { return m_state->ids().is_taken(id); }
   /// the vertex of the point `id`. \pre `has_id(id)`
   Vertex_index vertex(std::size_t id) const { return m_state->ids().vertex(Point_id(id)); }
+  void vertex(Vertex_index) const = delete; ///< a vertex is no id.
   /// the id of the point at the finite vertex `v`. If several points share it, this is the id of
   /// their representative, the one that was there first.
   Point_id id(Vertex_index v) const { return m_state->ids().representative(v); }
@@ -145,7 +146,8 @@ public:
       return {Face_index(0), Face_index(0)};
     const Halfedge_index h = arrays.halfedge(e);
     const Face_index f = arrays.face_of(h), g = arrays.face_of(arrays.twin(h));
-    return m_state->is_along(e, h) ? std::array<Face_index, 2>{f, g} : std::array<Face_index, 2>{g, f};
+    return m_state->is_along(e, h) ? std::array<Face_index, 2>{f, g}
+                                   : std::array<Face_index, 2>{g, f};
   }
 
   /// calls `f(w)` for every neighbor `w` of vertex `v`, including the infinite vertex.
@@ -245,7 +247,8 @@ public:
     Edge_test(*m_state).append_unproved(first, beyond, unproved);
   }
   /// appends to `unproved` those of the edges in a list for which `proves_delaunay()` is false.
-  void append_unproved(const std::vector<Edge_index>& edges, std::vector<Edge_index>& unproved) const
+  void append_unproved(const std::vector<Edge_index>& edges,
+                       std::vector<Edge_index>& unproved) const
   {
     Edge_test(*m_state).append_unproved(edges, unproved);
   }
@@ -277,7 +280,10 @@ public:
   /// of points that are given by another image than before, as where they were wrapped: their edges
   /// need not be new, and a classifier is told of them already while it classifies. A classifier
   /// that remembers positions has to replace those of these vertices.
-  const std::vector<Vertex_index>& relocated_vertices() const { return m_state->changes().relocated; }
+  const std::vector<Vertex_index>& relocated_vertices() const
+  {
+    return m_state->changes().relocated;
+  }
   /// whether vertices were inserted or removed, but not everything is new. Then some vertices,
   /// edges and faces have taken the numbers of removed ones.
   bool has_other_numbers() const

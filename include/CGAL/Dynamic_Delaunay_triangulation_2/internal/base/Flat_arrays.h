@@ -174,8 +174,8 @@ void make_distinct(std::vector<Index_of_kind>& indices)
 {
   if (make_distinct_by_bits(indices))
     return;
-  boost::sort::spreadsort::integer_sort(
-      indices.begin(), indices.end(), [](Index i, unsigned digits) { return i >> digits; });
+  boost::sort::spreadsort::integer_sort(indices.begin(), indices.end(),
+                                        [](Index i, unsigned digits) { return i >> digits; });
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
 }
 

@@ -49,7 +49,8 @@ public:
   {
   }
 
-  BOOST_FORCEINLINE Position_2 operator()(Vertex_index v, Vertex_index w, const Periodic_shift_2&) const
+  BOOST_FORCEINLINE Position_2 operator()(Vertex_index v, Vertex_index w,
+                                          const Periodic_shift_2&) const
   {
     return m_vector(v, w);
   }
@@ -74,7 +75,8 @@ public:
   }
 
   // Rounded as in the triangulation.
-  BOOST_FORCEINLINE Position_2 operator()(Vertex_index v, Vertex_index w, const Periodic_shift_2& shift) const
+  BOOST_FORCEINLINE Position_2 operator()(Vertex_index v, Vertex_index w,
+                                          const Periodic_shift_2& shift) const
   {
     const Position_2 &p = m_positions[v], &q = m_positions[w];
     return {q.x - p.x + (times(shift[0], m_cell.ax()) + times(shift[1], m_cell.bx())),
@@ -84,8 +86,8 @@ public:
   // Of the face of v with the vectors to two images by the shifts s and t. With u = 2^-53, a
   // coordinate of a vector is computed from those of p, q and two products t with an error of less
   // than 4u (|p| + |q| + |t|), and each |q| is at most |p| + |t| + |v|, where v is the vector.
-  double error(Vertex_index v, const Position_2& to_s, const Periodic_shift_2& s, const Position_2& to_t,
-               const Periodic_shift_2& t) const
+  double error(Vertex_index v, const Position_2& to_s, const Periodic_shift_2& s,
+               const Position_2& to_t, const Periodic_shift_2& t) const
   {
     const auto sum = [](const Position_2& u) { return std::abs(u.x) + std::abs(u.y); };
     const double a = std::abs(m_cell.ax()) + std::abs(m_cell.ay());

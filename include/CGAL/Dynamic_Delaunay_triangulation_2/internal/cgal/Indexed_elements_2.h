@@ -433,7 +433,8 @@ public:
 
   iterator begin() const
   {
-    return m_storage == nullptr ? end() : at(iterator::next(*m_storage, typename Element::Number(0)));
+    return m_storage == nullptr ? end()
+                                : at(iterator::next(*m_storage, typename Element::Number(0)));
   }
   iterator end() const { return at(iterator::end_index); }
   size_type size() const { return m_storage == nullptr ? 0 : Element::size(*m_storage); }

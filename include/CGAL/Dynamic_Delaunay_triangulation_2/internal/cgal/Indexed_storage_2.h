@@ -360,8 +360,7 @@ public:
   void set_face(Vertex_index v, Face_index f)
   {
     note_written_by_handle();
-    m_arrays.m_corner[v] =
-        f == null_index ? null_index : Halfedge_arrays_2::halfedge_in(f, 0);
+    m_arrays.m_corner[v] = f == null_index ? null_index : Halfedge_arrays_2::halfedge_in(f, 0);
   }
 
   void set_point(Vertex_index v, const Point& p)

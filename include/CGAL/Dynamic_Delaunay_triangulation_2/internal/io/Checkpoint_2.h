@@ -251,9 +251,9 @@ private:
       m_file.next_line();
       m_kept.faces.resize(f + std::size_t(1));
       for (Index i = 0; i < 3; ++i)
-        m_kept.faces.set_apex(
-            Flat_faces_2::first_halfedge(f) + i,
-            Vertex_index(m_file.number("the vertex", Index(Space::first_vertex), number_of_vertices())));
+        m_kept.faces.set_apex(Flat_faces_2::first_halfedge(f) + i,
+                              Vertex_index(m_file.number("the vertex", Index(Space::first_vertex),
+                                                         number_of_vertices())));
       m_space.read_rest_of_face(f);
     }
   }

@@ -244,7 +244,7 @@ public:
 
   // Returns the twin of `forward`. `halfedge` must be `forward` or the twin.
   Halfedge_index checked_twin(Halfedge_index forward, Halfedge_index halfedge,
-                     const std::vector<bool>& is_listed) const
+                              const std::vector<bool>& is_listed) const
   {
     const Halfedge_index twin =
         Flat_faces_2::number_in_arrays(m_kept.faces.twin(Flat_faces_2::from_arrays(forward)));

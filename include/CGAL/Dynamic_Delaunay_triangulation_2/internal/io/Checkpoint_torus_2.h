@@ -125,7 +125,8 @@ public:
 
   // Links two half-edges, which have to run along each other in opposite directions, also by their
   // shifts. Returns the second one.
-  Halfedge_index checked_twin(Halfedge_index h, Halfedge_index g, const std::vector<bool>& is_listed)
+  Halfedge_index checked_twin(Halfedge_index h, Halfedge_index g,
+                              const std::vector<bool>& is_listed)
   {
     if (h == g || is_listed[h] || is_listed[g])
       m_file.refuse("a half-edge is there more than once");

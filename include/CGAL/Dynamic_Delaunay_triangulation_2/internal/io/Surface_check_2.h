@@ -76,7 +76,8 @@ private:
     for (Vertex_index v(0); v < m_beyond; ++v)
       m_first[v + 1] += m_first[v];
     m_sorted.resize(m_first.back());
-    for_each_halfedge([this](Flat_halfedge_index h) { m_sorted[--m_first[m_faces.source(h)]] = h; });
+    for_each_halfedge(
+        [this](Flat_halfedge_index h) { m_sorted[--m_first[m_faces.source(h)]] = h; });
   }
 
   template <class Function>
@@ -89,7 +90,8 @@ private:
   Flaw link()
   {
     Flaw flaw;
-    Column<Vertex_index, Flat_halfedge_index> halfedge_to(m_beyond, null_index); // from v to each vertex
+    Column<Vertex_index, Flat_halfedge_index> halfedge_to(m_beyond,
+                                                          null_index); // from v to each vertex
     for (Vertex_index v(0); v < m_beyond; ++v) {
       for_each_halfedge_from(v, [&](Flat_halfedge_index h) {
         Flat_halfedge_index& there = halfedge_to[m_faces.target(h)];

@@ -99,8 +99,8 @@ private:
 
   const State& m_state;
   Cluster_splice_2<State> m_cluster; // the cluster that is being spliced
-  Index_set<Vertex_index> m_inner;                 // Classified, then Padded
-  Index_set<Vertex_index> m_spliced;               // a subset of m_inner
+  Index_set<Vertex_index> m_inner;   // Classified, then Padded
+  Index_set<Vertex_index> m_spliced; // a subset of m_inner
   Index_set<Vertex_index> m_border;
   std::vector<Edge_index> m_boundary_edges;
   std::size_t m_number_of_classified = 0;

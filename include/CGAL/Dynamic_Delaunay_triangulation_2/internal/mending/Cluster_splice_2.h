@@ -44,8 +44,8 @@ void add_layer(const State& state, Index_set<Vertex_index>& region, std::size_t 
 // Replaces a region by those of these vertices that are in faces, and some layers around them.
 // Returns how many of these vertices there are; they come first.
 template <class State>
-std::size_t collect_region(const State& state, const std::vector<Vertex_index>& vertices, unsigned layers,
-                           Index_set<Vertex_index>& region)
+std::size_t collect_region(const State& state, const std::vector<Vertex_index>& vertices,
+                           unsigned layers, Index_set<Vertex_index>& region)
 {
   region.clear(state.arrays().number_of_vertices());
   for (const Vertex_index v : vertices)

@@ -35,7 +35,10 @@ public:
 
   // All vertices of the region, except the border.
   std::vector<Vertex_index> inner() const { return part(0, m_number_of_inner); }
-  std::vector<Vertex_index> padded() const { return part(m_number_of_classified, m_number_of_inner); }
+  std::vector<Vertex_index> padded() const
+  {
+    return part(m_number_of_classified, m_number_of_inner);
+  }
   std::vector<Vertex_index> border() const { return part(m_number_of_inner, m_vertices.size()); }
 
 private:

@@ -391,8 +391,8 @@ private:
 
   // Inserts a duplicate that parts, or a new point. Returns its vertex, or `null_index` if it has
   // become a duplicate.
-  Vertex_index insert(const std::vector<Point_id>& parted_duplicates, std::size_t i, const Hint& hint,
-               std::size_t most, Counts& counts)
+  Vertex_index insert(const std::vector<Point_id>& parted_duplicates, std::size_t i,
+                      const Hint& hint, std::size_t most, Counts& counts)
   {
     const auto& ids = m_state.ids();
     const bool parts = i < parted_duplicates.size();
@@ -463,7 +463,7 @@ private:
   std::vector<Position_2> m_positions;
   Star_polygon_2<State> m_polygon; // around the vertex that goes or comes
   std::size_t m_replaced = 0;      // faces that the last vertex has replaced
-  std::vector<Vertex_index> m_rest;       // vertices for remove_rest()
+  std::vector<Vertex_index> m_rest; // vertices for remove_rest()
   std::vector<Slot> m_waiting;     // of vertices that jumped
   std::vector<Slot> m_empty;       // of vertices without points
   std::vector<Point_id> m_coming_ids;

@@ -355,7 +355,10 @@ public:
                ? std::array<Vertex_index, 3>{infinite_index, infinite_index, infinite_index}
                : m_arrays.face(f);
   }
-  static constexpr bool is_along(Edge_index, Halfedge_index) { return true; } // halfedge(e) goes along edge(e)
+  static constexpr bool is_along(Edge_index, Halfedge_index)
+  {
+    return true;
+  } // halfedge(e) goes along edge(e)
 
   // Whether the corners of an edge are on both sides of the gap beside a slab, or it is empty.
   bool is_at_infinity(Edge_index e) const

@@ -41,7 +41,7 @@ struct Periodic_faces_2
   Column<Halfedge_index, Vertex_index> apexes;
   Column<Halfedge_index, Halfedge_index> twins;
   Column<Halfedge_index, Periodic_shift_2> shifts; // of each apex; the first of a face has none
-  Column<Vertex_index, Index> points; // of each vertex; the first one is not used
+  Column<Vertex_index, Index> points;              // of each vertex; the first one is not used
 };
 
 // Images of points in the plane, rounded, with the functions that predicates on vertices call.
@@ -311,7 +311,8 @@ private:
   bool is_kept(Face_index planar_face) const
   {
     const Flat_halfedge_index h = Flat_faces_2::first_halfedge(planar_face);
-    std::array<Vertex_index, 3> corners{m_planar.apex(h), m_planar.apex(h + 1), m_planar.apex(h + 2)};
+    std::array<Vertex_index, 3> corners{m_planar.apex(h), m_planar.apex(h + 1),
+                                        m_planar.apex(h + 2)};
     if (std::find(corners.begin(), corners.end(), infinite_index) != corners.end())
       return false;
     // the usual case, which needs no search for the first corner, whose branches are unpredictable
@@ -333,13 +334,13 @@ private:
       return false;
     m_faces.twins.resize(6 * points);
     std::vector<std::vector<Open_halfedge>> open(Parts::number(m_planar.number_of_faces()));
-    Parts::for_each(
-        m_planar.number_of_faces(), [&](std::size_t part, std::size_t first, std::size_t beyond) {
-          for (Face_index f(first); f < beyond; ++f)
-            for (Index i = 0; i < 3 && m_face_numbers[f] != null_index; ++i)
-              link(Flat_faces_2::first_halfedge(f) + i, Arrays::halfedge_in(m_face_numbers[f], i),
-                   open[part]);
-        });
+    Parts::for_each(m_planar.number_of_faces(),
+                    [&](std::size_t part, std::size_t first, std::size_t beyond) {
+                      for (Face_index f(first); f < beyond; ++f)
+                        for (Index i = 0; i < 3 && m_face_numbers[f] != null_index; ++i)
+                          link(Flat_faces_2::first_halfedge(f) + i,
+                               Arrays::halfedge_in(m_face_numbers[f], i), open[part]);
+                    });
     m_open.clear();
     for (const auto& of_part : open)
       m_open.insert(m_open.end(), of_part.begin(), of_part.end());
@@ -486,7 +487,7 @@ private:
   Flat_faces_2 m_planar;
   Guibas_stolfi_2<Predicates, Parts> m_guibas_stolfi;
   Column<Vertex_index, Vertex_index> m_vertex_of_image;
-  Column<Vertex_index, Vertex_index> m_wrapped;   // the image of each vertex's point in the cell
+  Column<Vertex_index, Vertex_index> m_wrapped;  // the image of each vertex's point in the cell
   Column<Face_index, Face_index> m_face_numbers; // of the planar faces that are kept
   std::vector<Open_halfedge> m_open;
   Periodic_faces_2 m_faces;

@@ -63,9 +63,9 @@ BOOST_FORCEINLINE bool are_within(const Position_2* points, const Position_2* re
 // Appends those of the vertices [first, beyond) whose squared distances to their references exceed
 // `bound`. Several lanes test blocks of vertices first, because in most blocks none does.
 template <int lanes>
-BOOST_FORCEINLINE void append_moved_in_lanes(const Position_2* positions,
-                                             const Position_2* references, Vertex_index first,
-                                             Index beyond, double bound, std::vector<Vertex_index>& moved)
+BOOST_FORCEINLINE void
+append_moved_in_lanes(const Position_2* positions, const Position_2* references, Vertex_index first,
+                      Index beyond, double bound, std::vector<Vertex_index>& moved)
 {
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES
   if constexpr (lanes > 1) {

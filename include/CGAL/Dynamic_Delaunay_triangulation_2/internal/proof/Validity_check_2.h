@@ -117,9 +117,8 @@ private:
       return !arrays.is_outside(v) && arrays.apex(arrays.corner(v)) == v;
     };
     return all_of<Face_index>(0, arrays.number_of_faces(), is_face) &&
-           all_of<Halfedge_index>(
-               0, arrays.number_of_halfedges(),
-                  [this](Halfedge_index h) { return is_halfedge_consistent(h); }) &&
+           all_of<Halfedge_index>(0, arrays.number_of_halfedges(),
+                                  [this](Halfedge_index h) { return is_halfedge_consistent(h); }) &&
            all_of<Vertex_index>(first_vertex, arrays.number_of_vertices(), has_corner);
   }
 

@@ -223,7 +223,8 @@ private:
       if (!next_ids.is_taken(id) || m_staying.goes(id))
         m_editing.before_vertex_removal(v);
       else if (!next_ids.is_representative(id)) {
-        const Point_id stays = next_ids.representative(next_ids.vertex(id)); // keeps its vertex, too
+        const Point_id stays =
+            next_ids.representative(next_ids.vertex(id)); // keeps its vertex, too
         m_editing.before_vertex_merge(v, ids.vertex(stays));
       }
     });

@@ -41,7 +41,8 @@ public:
 
   // Collects the present points except those in `gone`, and the points that come. Until forget()
   // it is known who goes.
-  Points_to_build_2<Point> collect(const std::vector<Point_id>& gone, std::vector<Point_id> coming_ids,
+  Points_to_build_2<Point> collect(const std::vector<Point_id>& gone,
+                                   std::vector<Point_id> coming_ids,
                                    std::vector<Point> coming_points)
   {
     Points_to_build_2<Point> all;

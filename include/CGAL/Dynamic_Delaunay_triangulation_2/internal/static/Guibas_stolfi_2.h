@@ -226,7 +226,8 @@ private:
     const int second = rank(order, i + 1);
     if (i + 1 < order.size() &&
         (std::max)(inner, second) < (std::min)(before, rank(order, i + 2)) &&
-        make_triangle(vertex(order, first), vertex(order, first + 1), vertex(order, first + 2), face)) {
+        make_triangle(vertex(order, first), vertex(order, first + 1), vertex(order, first + 2),
+                      face)) {
       i = first + 3;
       return Part{null_index, first_halfedge(face + 1), first_halfedge(face + 3)};
     }
@@ -299,7 +300,8 @@ private:
   // Finds the lower tangent, and puts an infinite face below it.
   Gap open(const Part& left, const Part& right, bool is_horizontal, Face_index face)
   {
-    Vertex_index l = left.vertex, r = right.vertex; // and from_l, to_r: the hull edges from l and to r
+    Vertex_index l = left.vertex,
+                 r = right.vertex; // and from_l, to_r: the hull edges from l and to r
     Halfedge from_l = null_index, to_r = null_index;
     if (!left.is_single()) {
       from_l = extreme(left, is_horizontal, LARGER);

@@ -141,7 +141,8 @@ public:
     case Static_engine_2::INSERTION:
       return insert(order, [this](const auto& p, Vertex_index v) { m_triangulation.insert(p, v); });
     case Static_engine_2::BOWYER_WATSON:
-      return insert(order, [this](const auto& p, Vertex_index v) { m_triangulation.insert_star(p, v); });
+      return insert(order,
+                    [this](const auto& p, Vertex_index v) { m_triangulation.insert_star(p, v); });
     }
   }
 

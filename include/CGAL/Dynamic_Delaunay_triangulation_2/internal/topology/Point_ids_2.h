@@ -270,8 +270,9 @@ private:
   template <class Duplicates>
   static auto find_duplicate(Duplicates& duplicates, Point_id id)
   {
-    return std::lower_bound(duplicates.begin(), duplicates.end(), id,
-                            [](const Duplicate& duplicate, Point_id i) { return duplicate.id < i; });
+    return std::lower_bound(
+        duplicates.begin(), duplicates.end(), id,
+        [](const Duplicate& duplicate, Point_id i) { return duplicate.id < i; });
   }
 
   // Removes a duplicate from its vertex. A reserved id has no vertex to leave.
@@ -290,7 +291,7 @@ private:
   Column<Point_id, Vertex_index> m_vertex_of_id; // null_index for free ids
   Column<Vertex_index, Point_id> m_representative;
   std::vector<Duplicate> m_duplicates; // sorted by id
-  std::vector<Point_id> m_free_ids;       // a heap, the smallest on top
+  std::vector<Point_id> m_free_ids;    // a heap, the smallest on top
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

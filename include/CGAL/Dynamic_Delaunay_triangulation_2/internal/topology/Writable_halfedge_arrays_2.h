@@ -136,7 +136,8 @@ public:
         if (apex(h) >= low && apex(h) < high)
           m_corner[apex(h)] = h;
         else
-          m_halfedges[h].edge = Edge_index(Index(std::exchange(left_over[part], h))); // the next one
+          m_halfedges[h].edge =
+              Edge_index(Index(std::exchange(left_over[part], h))); // the next one
     });
     for (std::size_t part = 0; part < parts; ++part)
       for (Halfedge_index h = left_over[part]; h != null_index;
@@ -276,7 +277,8 @@ public:
   {
     const Face_index faces(number_of_faces());
     const Edge_index edges(number_of_edges());
-    const Slot slot{Vertex_index(m_corner.size()), {faces, faces + 1}, {edges, edges + 1, edges + 2}};
+    const Slot slot{
+        Vertex_index(m_corner.size()), {faces, faces + 1}, {edges, edges + 1, edges + 2}};
     m_corner.push_back(null_index);
     m_halfedges.resize(m_halfedges.size() + 6, Halfedge{null_index, null_index, null_index});
     m_edges.resize(m_edges.size() + 3);

@@ -69,7 +69,8 @@ public:
     if constexpr (!State::has_hull)
       return true;
     m_edges.clear();
-    for (const std::vector<Edge_index>* edges : {&std::as_const(m_context.proof).uncertain(), &changed})
+    for (const std::vector<Edge_index>* edges :
+         {&std::as_const(m_context.proof).uncertain(), &changed})
       for (const Edge_index e : *edges)
         if (m_state.is_at_infinity(e))
           m_edges.push_back(e);

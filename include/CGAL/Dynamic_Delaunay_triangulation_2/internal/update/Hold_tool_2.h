@@ -166,7 +166,7 @@ private:
   Flip_tool_2<State>& m_flips;
   std::vector<Edge_index> m_uncertain; // edges from which flips were tried
   std::vector<Edge_index> m_changed;   // edges whose test was changed
-  std::vector<Vertex_index> m_left;      // vertices that could not be taken out
+  std::vector<Vertex_index> m_left;    // vertices that could not be taken out
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

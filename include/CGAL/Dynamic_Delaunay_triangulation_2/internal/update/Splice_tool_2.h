@@ -78,8 +78,8 @@ public:
 private:
   // Splices around these vertices. Tests the uncertain and the boundary edges if `has_to_look`,
   // otherwise closes all. False if everything is rebuilt, or if this has merged vertices instead.
-  bool splice(const std::vector<Vertex_index>& vertices, unsigned padding, std::size_t max_enlargements,
-              bool has_to_look)
+  bool splice(const std::vector<Vertex_index>& vertices, unsigned padding,
+              std::size_t max_enlargements, bool has_to_look)
   {
     if (m_context.has_rebuilt())
       return false;

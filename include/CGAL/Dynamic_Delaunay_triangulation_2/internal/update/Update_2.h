@@ -452,7 +452,7 @@ private:
   const State& m_state;
   Tools m_tools;
   Update_context_2<State>& m_context; // that of the tools
-  std::vector<Edge_index> m_edges_around;  // points that moved alone
+  std::vector<Edge_index> m_edges_around; // points that moved alone
   bool m_is_certified = true;
   bool m_has_removed = true;
   bool m_is_classifier_informed = false; // of what is new since an update began
