@@ -61,6 +61,10 @@ if(NOT MSVC)
   add_refusal(rounded_predicates rounded_predicates "nothing could be certified")
   add_refusal(options options "and nothing else.*is given twice.*in the plane only")
   # Each of them by name: the compiler goes on after the first.
+  set(kinds "becomes no vertex by itself" "an edge is no vertex" "become one" "assigned to a vertex" "lists alike"
+    "equals no vertex" "in a column of vertices" "nor has a number" "an edge has no id")
+  list(JOIN kinds ".*" kinds)
+  add_refusal(wrong_kinds wrong_kinds "${kinds}" -fmax-errors=0)
   set(private_members m_triangulation m_storage m_arrays m_shifts m_ids m_changes m_visitor_calls m_positions)
   list(TRANSFORM private_members APPEND "[^\n]*private")
   list(JOIN private_members ".*" private_members)

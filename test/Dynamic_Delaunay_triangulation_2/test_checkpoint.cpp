@@ -55,7 +55,7 @@ void expect_equal(const Dynamic& dt, const Dynamic& other)
   ASSERT_EQ(edges_of(dt), edges_of(other));
   const auto frame = dt.frame(), other_frame = other.frame();
   ASSERT_EQ(frame.number_of_faces(), other_frame.number_of_faces());
-  for (unsigned f = 0; f < frame.number_of_faces(); ++f)
+  for (typename Dynamic::Frame::Face_index f(0); f < frame.number_of_faces(); ++f)
     ASSERT_EQ(frame.face(f), other_frame.face(f));
   for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
     ASSERT_EQ(dt.has_id(id), other.has_id(id));
@@ -721,11 +721,12 @@ using Triple = std::array<unsigned, 3>;
 
 const char* flaw_of(const std::vector<Triple>& triples, unsigned vertices)
 {
-  namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2;
   internal::Flat_faces_2 faces;
   faces.resize(triples.size());
-  for (unsigned f = 0; f < triples.size(); ++f)
-    faces.set_vertices(f, triples[f][0], triples[f][1], triples[f][2]);
+  Face_index f(0);
+  for (const auto& [a, b, c] : triples)
+    faces.set_vertices(f++, Vertex_index(a), Vertex_index(b), Vertex_index(c));
   return internal::Surface_check_2(faces, vertices).link_and_run().what;
 }
 
