@@ -232,7 +232,7 @@ public:
     const Vertex_handle representative = vertex(id);
     const auto& ids = m_core->state.ids();
     return ids.is_representative(Index(id)) ? representative->point()
-                                            : ids.duplicate(Index(id)).point;
+                                            : ids.covered_point(Index(id));
   }
 
   /// the id of the point at a finite vertex. If several points share the vertex, this is the id of

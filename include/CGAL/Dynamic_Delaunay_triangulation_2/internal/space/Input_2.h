@@ -133,7 +133,7 @@ public:
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
     check_frame_length(first, beyond, m_state.ids().number_of_ids());
-    m_next_duplicates = m_state.ids().duplicates();
+    m_next_covered = m_state.ids().covered_points();
     m_were_exact = m_positions.are_exact();
     m_positions.begin_frame();
     m_are_exact = stage_all(first, beyond, point_map);
@@ -149,14 +149,14 @@ public:
   void accept()
   {
     m_positions.accept_frame(m_are_exact);
-    exchange_duplicates();
+    exchange_covered();
   }
 
   // Undoes accept(): restores the positions from before the frame.
   void take_back()
   {
     m_positions.take_back(m_were_exact);
-    exchange_duplicates();
+    exchange_covered();
   }
 
   // Forgets the previous positions, at the end of a call.
@@ -168,7 +168,7 @@ private:
   bool stage_all(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
     if constexpr (is_random_access<InputIterator>)
-      if (m_state.ids().duplicates().empty())
+      if (m_state.ids().number_of_covered() == 0)
         return stage_all_representatives(first, beyond, point_map);
     return stage_one_by_one(first, beyond, point_map);
   }
@@ -250,7 +250,6 @@ private:
     const Index ids = m_state.ids().number_of_ids();
     bool are_exact = true;
     const auto staged = m_positions.staged();
-    auto duplicate = m_next_duplicates.begin(); // sorted by id
     Point_id id = 0;
     for (; id < ids && first != beyond; ++id, ++first) {
       if (!m_state.ids().is_taken(id))
@@ -258,10 +257,10 @@ private:
       auto&& value = *first;
       const Point& p = get(point_map, value);
       const Position_2 position = checked_position(p, id, are_exact);
-      if (duplicate != m_next_duplicates.end() && duplicate->id == id)
-        (duplicate++)->point = p;
-      else
+      if (m_state.ids().is_representative(id))
         staged.set(m_state.ids().vertex(id), position, p);
+      else
+        m_next_covered[m_state.ids().covered_number(id)] = p;
     }
     if (first != beyond)
       throw Point_count_error_2(ids, ids + std::size_t(1));
@@ -270,13 +269,13 @@ private:
     return are_exact;
   }
 
-  // The points of duplicates belong to a frame, too.
-  void exchange_duplicates() { m_ids.duplicates().swap(m_next_duplicates); }
+  // Covered points belong to a frame, too.
+  void exchange_covered() { m_ids.covered_points().swap(m_next_covered); }
 
   const State& m_state;
   Ids& m_ids;
   typename State::Writer::Positions& m_positions;
-  std::vector<typename Ids::Duplicate> m_next_duplicates;
+  std::vector<Point> m_next_covered; // by their numbers
   bool m_were_exact = true, m_are_exact = true;
 };
 

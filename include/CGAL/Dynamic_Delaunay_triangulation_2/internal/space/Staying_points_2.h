@@ -79,7 +79,7 @@ private:
   // The ids of all points but those in `gone`, representatives first.
   std::vector<Index> ids_without(const std::vector<Index>& gone)
   {
-    std::vector<Index> ids = m_state.ids().representatives_and_duplicates();
+    std::vector<Index> ids = m_state.ids().representatives_and_covered();
     if (gone.empty())
       return ids;
     m_goes.assign(m_state.ids().number_of_ids(), false);
