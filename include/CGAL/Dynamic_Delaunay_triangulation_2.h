@@ -237,7 +237,7 @@ public:
     const Vertex_handle representative = vertex(id);
     const auto& ids = m_core->state.ids();
     return ids.is_representative(Point_id(id)) ? representative->point()
-                                               : ids.duplicate(Point_id(id)).point;
+                                               : ids.covered_point(Point_id(id));
   }
 
   /// the id of the point at a finite vertex. If several points share the vertex, this is the id of

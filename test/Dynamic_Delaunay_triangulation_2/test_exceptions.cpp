@@ -503,7 +503,7 @@ class Ranges : public testing::Test
 protected:
   Ranges()
   {
-    points[3] = points[4]; // a duplicate: frames are then read by other code
+    points[3] = points[4]; // a duplicate, which is read on its own
     dt.update(points.begin(), points.end());
     for (std::size_t id = 5; id < 20; ++id)
       movers.emplace_back(id, others[id]);

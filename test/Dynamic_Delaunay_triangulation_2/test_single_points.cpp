@@ -7,6 +7,7 @@
 #include "oracle.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,7 @@
 #include <cstdlib>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 #include <vector>
@@ -341,6 +343,177 @@ TEST(Single_changes, keep_a_valid_structure_where_faces_overlap)
     changes_of_overlapping += changes.number_of_changes();
   }
   EXPECT_GT(changes_of_overlapping, 2 * seeds);
+}
+
+// The ids of points, which are numbers here, at vertices that come, go, merge and lose points. A
+// map knows where each of them is.
+class Ids_and_their_vertices
+{
+  using Index = CGAL::Dynamic_Delaunay_triangulations_2::Index;
+  using Ids = CGAL::Dynamic_Delaunay_triangulations_2::internal::Point_ids_2<int>;
+  struct Where
+  {
+    Index vertex;
+    bool is_covered;
+    int point; // of the covered ones
+  };
+
+public:
+  explicit Ids_and_their_vertices(unsigned seed)
+    : m_random(seed)
+  {
+    m_ids.reset(0);
+    m_ids.finish_numbering();
+    add_vertex(new_id());
+  }
+
+  void change()
+  {
+    const Index id = any_id();
+    const Index vertex = m_model.at(id).vertex, other = any_vertex();
+    const auto kind = m_random() % 8;
+    if (kind == 0 || m_model.size() < 8)
+      add_vertex(new_id());
+    else if (kind < 3)
+      cover(new_id(), other);
+    else if (kind == 3 && m_model.at(id).is_covered)
+      cover(id, other);
+    else if (kind == 4 && m_model.at(id).is_covered)
+      add_vertex(id);
+    else if (kind == 5)
+      exchange_representative(vertex);
+    else if (kind == 6 && other != vertex)
+      merge(other, vertex);
+    else if (kind == 7)
+      remove(id);
+  }
+
+  void expect_all() const
+  {
+    std::map<Index, std::set<Index>> covered_at;
+    std::vector<Index> covered;
+    ASSERT_EQ(m_ids.number_of_points(), m_model.size());
+    for (const auto& [id, where] : m_model) {
+      ASSERT_TRUE(m_ids.is_taken(id));
+      ASSERT_EQ(m_ids.vertex(id), where.vertex);
+      ASSERT_EQ(m_ids.is_representative(id), !where.is_covered);
+      if (where.is_covered) {
+        ASSERT_EQ(m_ids.covered_point(id), where.point);
+        ASSERT_EQ(m_ids.covered_id(m_ids.covered_number(id)), id);
+        covered.push_back(id);
+        covered_at[where.vertex].insert(id);
+      } else
+        ASSERT_EQ(m_ids.representative(where.vertex), id);
+    }
+    ASSERT_EQ(m_ids.covered_ids(), covered);
+    for (Index v = 1; v <= m_ids.number_of_representatives(); ++v) {
+      std::vector<Index> found;
+      m_ids.for_each_covered_at(v, [&](Index id, int) { found.push_back(id); });
+      std::sort(found.begin(), found.end());
+      const std::set<Index>& expected = covered_at[v];
+      ASSERT_EQ(found, std::vector<Index>(expected.begin(), expected.end()));
+    }
+  }
+
+private:
+  Index any_id()
+  {
+    return std::next(m_model.begin(), std::ptrdiff_t(m_random() % m_model.size()))->first;
+  }
+  Index any_vertex() { return 1 + Index(m_random() % m_ids.number_of_representatives()); }
+
+  Index new_id()
+  {
+    std::vector<Index> ids;
+    m_ids.list_next_ids(1, ids);
+    m_ids.reserve(ids);
+    return ids.front();
+  }
+
+  void add_vertex(Index id)
+  {
+    m_ids.append_vertex();
+    const Index vertex = m_ids.number_of_representatives();
+    m_ids.place_representative(id, vertex);
+    m_model[id] = {vertex, false, 0};
+  }
+
+  void cover(Index id, Index vertex)
+  {
+    const int point = int(m_random() % 100);
+    m_ids.place_covered(id, vertex, point);
+    m_model[id] = {vertex, true, point};
+  }
+
+  // Makes the smallest id whose point is even the representative.
+  void exchange_representative(Index vertex)
+  {
+    const auto is_even = [](int point) { return point % 2 == 0; };
+    const Index id = m_ids.find_covered_at(vertex, is_even);
+    const auto expected = std::find_if(m_model.begin(), m_model.end(), [&](const auto& entry) {
+      const Where& where = entry.second;
+      return where.vertex == vertex && where.is_covered && is_even(where.point);
+    });
+    constexpr Index none = CGAL::Dynamic_Delaunay_triangulations_2::internal::null_index;
+    ASSERT_EQ(id, expected == m_model.end() ? none : expected->first);
+    if (id == none)
+      return;
+    m_model[m_ids.representative(vertex)] = {vertex, true, 7};
+    m_ids.exchange_representative(id, 7);
+    expected->second.is_covered = false;
+  }
+
+  void merge(Index goes, Index stays)
+  {
+    m_model[m_ids.representative(goes)] = {goes, true, 5};
+    m_ids.merge(goes, stays, 5);
+    for (auto& [id, where] : m_model)
+      if (where.vertex == goes)
+        where.vertex = stays;
+    drop(goes);
+  }
+
+  void remove(Index id)
+  {
+    const Where where = m_model.at(id);
+    if (where.is_covered)
+      m_ids.remove_covered(id);
+    else {
+      bool is_alone = true;
+      m_ids.for_each_covered_at(where.vertex, [&](Index, int) { is_alone = false; });
+      if (!is_alone)
+        return;
+      m_ids.remove_representative(id);
+    }
+    m_model.erase(id);
+    if (!where.is_covered)
+      drop(where.vertex);
+  }
+
+  void drop(Index vertex)
+  {
+    const Index last = m_ids.number_of_representatives();
+    m_ids.move_last_vertex_to(vertex);
+    for (auto& [id, where] : m_model)
+      if (where.vertex == last)
+        where.vertex = vertex;
+  }
+
+  std::mt19937 m_random;
+  Ids m_ids;
+  std::map<Index, Where> m_model;
+};
+
+TEST(Covered_points, merge_part_and_get_other_vertices_and_numbers_as_a_map_does)
+{
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    Ids_and_their_vertices ids(seed);
+    for (int step = 0; step < 400; ++step) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", step " << step);
+      ids.change();
+      ASSERT_NO_FATAL_FAILURE(ids.expect_all());
+    }
+  }
 }
 
 } // namespace test_single_points

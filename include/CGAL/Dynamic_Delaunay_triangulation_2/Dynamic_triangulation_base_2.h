@@ -346,8 +346,8 @@ public:
   /// repair uses exact predicates, whatever the classifier is; the policy is not asked.
   ///
   /// Cost: proportional to the number of points in the range and to what they break, plus a walk
-  /// around the hull if it changes; if points coincide, also proportional to the number of
-  /// duplicates.
+  /// around the hull if it changes; if points coincide, also proportional to the number of those at
+  /// the same vertices.
   ///
   /// \tparam IdMap, PointMap models of `ReadablePropertyMap` from the range's values to ids, any
   ///   integers, and to `Point`; by default the values are pairs of both.
@@ -453,8 +453,8 @@ public:
 
   /// removes a point; its id is free from then on. Cost: proportional to the number of its
   /// neighbors and to what that breaks, plus a walk around the hull if it changes; if points
-  /// coincide, also proportional to the number of duplicates; a rebuild if the points do not span
-  /// the plane before or after.
+  /// coincide, also proportional to the number of those at its vertex; a rebuild if the points do
+  /// not span the plane before or after.
   ///
   /// \throws Unknown_id_error_2 if no point has this id; nothing changes.
   /// \post `is_certified()` if it was, if the classifier is exact, or in periodic space.

@@ -162,10 +162,9 @@ private:
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     const auto& state = dt.frame().state();
     const Site_geometry_2<State_of_2<Dynamic>> geometry(state);
-    for (const auto& [id, point] : state.ids().duplicates()) {
-      const auto v = state.ids().vertex(id);
+    state.ids().for_each_covered([&](auto id, auto v, const auto& point) {
       m_duplicates.push_back({state.ids().representative(v), id, geometry.shift_to(v, point)});
-    }
+    });
     std::sort(m_duplicates.begin(), m_duplicates.end(), [](const Duplicate& g, const Duplicate& h) {
       return g.representative != h.representative ? g.representative < h.representative
                                                   : g.id < h.id;

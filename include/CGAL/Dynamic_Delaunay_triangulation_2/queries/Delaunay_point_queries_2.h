@@ -99,7 +99,7 @@ public:
   /// \name Queries
   /// All queries throw `Uncertified_triangulation_error_2` unless the triangulation is certified;
   /// only an empty range of query points needs no certificate. If points coincide, each query also
-  /// takes time proportional to the number of duplicates.
+  /// takes time proportional to the number of points that share the vertices it finds.
   ///
   /// Those for query points throw `Non_finite_coordinate_error_2` if a coordinate is NaN or
   /// infinite, `Coordinate_range_error_2` if it is too large for this program, and in periodic
@@ -335,12 +335,13 @@ private:
   }
 
   // Calls f(answer) for every point at the sites that were found, except for `asking`. The point of
-  // a duplicate may be another image than that of its representative.
+  // a covered id may be another image than that of its representative.
   template <class Function>
   void for_each_found(const Query& query, const std::optional<Answer>& asking,
                       const Function& f) const
   {
     using Dynamic_Delaunay_triangulations_2::internal::operator+;
+    using Dynamic_Delaunay_triangulations_2::internal::make_distinct;
     const auto call = [&](size_type id, const Periodic_shift_2& shift) {
       const Answer found = answer(id, shift);
       if (found != asking)
@@ -350,10 +351,15 @@ private:
     const auto& ids = query.state().ids();
     for (const Site& site : m_found)
       call(ids.representative(State::vertex_of(site)), geometry.shift(site));
-    for (const auto& duplicate : ids.duplicates()) {
-      const auto v = ids.vertex(duplicate.id);
+    std::vector<Index> covered; // at all vertices that were found
+    for (const Site& site : m_found)
+      ids.for_each_covered_at(State::vertex_of(site),
+                              [&](Index id, const auto&) { covered.push_back(id); });
+    make_distinct(covered); // a vertex may have been found at several sites
+    for (const auto id : covered) {
+      const auto v = ids.vertex(id);
       m_found.for_each_at(v, [&](const Site& site) {
-        call(duplicate.id, geometry.shift(site) + geometry.shift_to(v, duplicate.point));
+        call(id, geometry.shift(site) + geometry.shift_to(v, ids.covered_point(id)));
       });
     }
   }

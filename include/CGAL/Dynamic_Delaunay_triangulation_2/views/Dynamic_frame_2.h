@@ -98,8 +98,8 @@ public:
   template <class Function>
   void for_each_duplicate(Function&& f) const
   {
-    for (const auto& duplicate : m_state->ids().duplicates())
-      f(duplicate.id);
+    for (const Point_id id : m_state->ids().covered_ids())
+      f(id);
   }
   /// whether `v` is the infinite vertex.
   static bool is_infinite(Vertex_index v)

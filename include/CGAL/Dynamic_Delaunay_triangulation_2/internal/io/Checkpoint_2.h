@@ -14,6 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_experience_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <string>
@@ -71,9 +72,9 @@ private:
     file.line("vertices", ids.number_of_representatives());
     for (Vertex_index v(1); v <= ids.number_of_representatives(); ++v)
       file.line(ids.representative(v), Space::coordinates(m_state, v));
-    file.line("duplicates", ids.duplicates().size());
-    for (const auto& duplicate : ids.duplicates())
-      file.line(duplicate.id, ids.vertex(duplicate.id), Space::coordinates(duplicate.point));
+    file.line("duplicates", ids.number_of_covered());
+    for (const Point_id id : ids.covered_ids())
+      file.line(id, ids.vertex(id), Space::coordinates(ids.covered_point(id)));
     file.line("free_ids", ids.number_of_ids() - ids.number_of_points());
     for (Point_id id(0); id < ids.number_of_ids(); ++id)
       if (!ids.is_taken(id))
@@ -144,15 +145,15 @@ private:
   {
     m_number_of_ids = m_file.number_entry("ids", Index(0), max_ids);
     read_vertices();
-    read_duplicates();
+    read_covered();
     read_free_ids();
     check_ids();
     m_kept.ids.reset(m_number_of_ids);
     auto id = m_ids.begin();
     for (Index i = 0; i < number_of_vertices(); ++i)
       m_kept.ids.add_representative(*id++);
-    for (const auto& [vertex, point] : m_duplicates)
-      m_kept.ids.add_duplicate(*id++, m_ids[vertex - 1], point);
+    for (const auto& [vertex, point] : m_covered)
+      m_kept.ids.cover(*id++, vertex, point);
     m_kept.ids.finish_numbering();
   }
 
@@ -178,9 +179,10 @@ private:
     m_ids.emplace_back(m_file.number("the id", Index(0), m_number_of_ids - 1));
   }
 
-  void read_duplicates()
+  void read_covered()
   {
-    const Index number = m_file.number_entry("duplicates", Index(0), m_number_of_ids);
+    const Index number =
+        m_file.number_entry("duplicates", Index(0), (std::min)(m_number_of_ids, max_vertices));
     if (number > 0 && number_of_vertices() == 0)
       m_file.refuse("there are duplicates, and no vertices");
     for (Index i = 0; i < number; ++i) {
@@ -190,7 +192,7 @@ private:
       m_file.end_line();
       if (!m_space.coincide(p, m_kept.points[vertex - 1]))
         m_file.refuse("the duplicate is not where its vertex is");
-      m_duplicates.emplace_back(vertex, p);
+      m_covered.emplace_back(vertex, p);
     }
   }
 
@@ -310,8 +312,8 @@ private:
   Repair_experience_2 m_memory;
   bool m_is_certified = false;
   Index m_number_of_ids = 0;
-  std::vector<Point_id> m_ids; // of the representatives, then of the duplicates, then the free ones
-  std::vector<std::pair<Vertex_index, Point>> m_duplicates; // their vertices, and their points
+  std::vector<Point_id> m_ids; // of representatives, then of covered points, then free ones
+  std::vector<std::pair<Vertex_index, Point>> m_covered; // their vertices, and the points
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

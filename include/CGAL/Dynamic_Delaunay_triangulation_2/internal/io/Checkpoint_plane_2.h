@@ -145,11 +145,11 @@ public:
 
   static bool is_complete(const State& state, bool is_certified)
   {
-    const auto& duplicates = state.ids().duplicates();
-    return (is_certified || state.spans_plane()) &&
-           std::all_of(duplicates.begin(), duplicates.end(), [&](const auto& duplicate) {
-             return duplicate.point == state.point(state.ids().vertex(duplicate.id));
-           });
+    bool is_complete = is_certified || state.spans_plane();
+    state.ids().for_each_covered([&](Point_id, Vertex_index v, const Point& p) {
+      is_complete = is_complete && p == state.point(v);
+    });
+    return is_complete;
   }
 
   static void write_kind(Checkpoint_output_2& file, const State& state)

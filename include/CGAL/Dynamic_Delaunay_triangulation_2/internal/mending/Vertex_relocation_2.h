@@ -110,8 +110,8 @@ public:
     return is_known;
   }
 
-  // Removes the points with these ids. A representative leaves its vertex to a duplicate, if there
-  // is one. Returns the vertices that this has moved, because the duplicate is elsewhere by now.
+  // Removes the points with these ids. A representative leaves its vertex to a covered point, if
+  // there is one. Returns the vertices that this has moved, because that is elsewhere by now.
   //
   // If everything is Delaunay (`are_delaunay`), it stays so: removes only vertices for which it is
   // known how. All other vertices keep their points until remove_rest().
@@ -154,7 +154,7 @@ public:
   bool has_rest() const { return !m_rest.empty(); }
 
   // Merges vertices of the list that coincide: the one with the smallest id stays, and the points
-  // of the others become duplicates there. Returns how many vertices were removed. Removes none if
+  // of the others are covered there. Returns how many vertices were removed. Removes none if
   // more than `most` would have to go, or if fewer than three would remain.
   std::size_t merge(const std::vector<Vertex_index>& vertices, std::size_t most)
   {
@@ -168,7 +168,7 @@ public:
     if (pairs.size() > most || pairs.size() + m_waiting.size() + m_empty.size() + min_vertices >
                                    m_state.number_of_vertices())
       return 0;
-    m_editor.reserve_for_duplicates(pairs.size());
+    m_editor.reserve_for_covered(pairs.size());
     for (const auto& [i, j] : pairs) {
       Vertex_index stays = ids.vertex(i), goes = ids.vertex(j);
       if (ids.representative(goes) < ids.representative(stays))
@@ -188,25 +188,26 @@ public:
     std::size_t relocated = 0, parted = 0, merged = 0, steps = 0;
   };
 
-  // Puts in the waiting vertices, the duplicates that have left their vertices, and the new points.
-  // `most_faces()` must be 0 unless everything is Delaunay. A vertex v replaces up to so many faces
-  // if everything is known to stay Delaunay then. Otherwise v is just put into a face, and flips
-  // around v have to follow. After each vertex, calls `legalize(v, steps, faces)` with the steps of
-  // all walks so far and the number of replaced faces, 0 in the second case. Stops if it is false.
+  // Puts in the waiting vertices, the points that have parted from their vertices, and the new
+  // ones. `most_faces()` must be 0 unless everything is Delaunay. A vertex v replaces up to so many
+  // faces if everything is known to stay Delaunay then. Otherwise v is just put into a face, and
+  // flips around v have to follow. After each vertex, calls `legalize(v, steps, faces)` with the
+  // steps of all walks so far and the number of replaced faces, 0 in the second case. Stops if it
+  // is false.
   template <class Most_faces, class Legalize>
-  Counts put_in(const std::vector<Point_id>& parted_duplicates, const Most_faces& most_faces,
+  Counts put_in(const std::vector<Point_id>& parted, const Most_faces& most_faces,
                 const Legalize& legalize)
   {
     Counts counts;
-    collect_positions(parted_duplicates);
+    collect_positions(parted);
     Hint hint{any_vertex(), m_state.number_of_vertices()};
     for (std::size_t k = 0; k < m_order.size(); ++k) {
       const std::size_t i = m_order[k];
       const std::size_t most = most_faces();
       m_replaced = 0;
-      const Vertex_index v = i < m_waiting.size() ? put_in_again(m_waiting[i], hint, most, counts)
-                                                  : insert(parted_duplicates, i - m_waiting.size(),
-                                                           hint, most, counts);
+      const Vertex_index v = i < m_waiting.size()
+                                 ? put_in_again(m_waiting[i], hint, most, counts)
+                                 : insert(parted, i - m_waiting.size(), hint, most, counts);
       if (v == null_index)
         continue;
       if (k + 1 < m_order.size())
@@ -287,18 +288,18 @@ private:
       if (successor == null_index)
         return remove_vertex(v, are_delaunay);
       const Point p = m_state.point(v);
-      if (!m_state.is_at(ids.duplicate(successor).point, v))
+      if (!m_state.is_at(ids.covered_point(successor), v))
         moved.push_back(v);
       m_editor.exchange_representative(successor, v, p);
     }
-    m_editor.remove_duplicate(id);
+    m_editor.remove_covered(id);
   }
 
-  // A duplicate that can take the vertex of this point, or `null_index`.
+  // A covered point that can take the vertex of this point, or `null_index`.
   Point_id find_successor(Point_id id) const
   {
     const auto& ids = m_state.ids();
-    return ids.find_duplicate_at(ids.vertex(id), [](const auto&) { return true; });
+    return ids.find_covered_at(ids.vertex(id), [](const Point&) { return true; });
   }
 
   // Removes v if that is known to leave everything Delaunay, otherwise lists v for remove_rest().
@@ -312,9 +313,9 @@ private:
       m_rest.push_back(v);
   }
 
-  // Collects the positions to put in: those of waiting vertices, then those of parted duplicates,
-  // then those of new points.
-  void collect_positions(const std::vector<Point_id>& parted_duplicates)
+  // Collects the positions to put in: those of waiting vertices, then those of points that
+  // have parted, then those of new points.
+  void collect_positions(const std::vector<Point_id>& parted)
   {
     m_positions.clear();
     const auto add = [this](const Position_2& p) {
@@ -322,8 +323,8 @@ private:
     };
     for (const Slot& slot : m_waiting)
       add(m_state.positions()[slot.vertex]);
-    for (const Point_id id : parted_duplicates)
-      add(approximation(m_state.ids().duplicate(id).point));
+    for (const Point_id id : parted)
+      add(approximation(m_state.ids().covered_point(id)));
     for (const Point& p : m_coming_points)
       add(approximation(p));
     const boost::counting_iterator<Index> first(0), beyond(Index(m_positions.size()));
@@ -382,30 +383,30 @@ private:
       ++counts.relocated;
       return v;
     }
-    m_editor.reserve_for_duplicates(1);
+    m_editor.reserve_for_covered(1);
     m_editor.hand_points_to(location.vertex, v, m_state.point(v));
     m_empty.push_back(slot);
     ++counts.merged;
     return null_index;
   }
 
-  // Inserts a duplicate that parts, or a new point. Returns its vertex, or `null_index` if it has
-  // become a duplicate.
-  Vertex_index insert(const std::vector<Point_id>& parted_duplicates, std::size_t i,
-                      const Hint& hint, std::size_t most, Counts& counts)
+  // Inserts a point that has parted, or a new one. Returns its vertex, or `null_index` if it is
+  // covered now.
+  Vertex_index insert(const std::vector<Point_id>& parted, std::size_t i, const Hint& hint,
+                      std::size_t most, Counts& counts)
   {
     const auto& ids = m_state.ids();
-    const bool parts = i < parted_duplicates.size();
-    const std::size_t coming = i - parted_duplicates.size();
-    const Point_id id = parts ? parted_duplicates[i] : m_coming_ids[coming];
-    const Point p = parts ? ids.duplicate(id).point : m_coming_points[coming];
+    const bool parts = i < parted.size();
+    const std::size_t coming = i - parted.size();
+    const Point_id id = parts ? parted[i] : m_coming_ids[coming];
+    const Point p = parts ? ids.covered_point(id) : m_coming_points[coming];
     counts.parted += parts;
-    m_editor.reserve_for_duplicates(1);
+    m_editor.reserve_for_covered(1);
     const Slot slot = take_slot(p);
     const Location location = locate(slot.vertex, hint);
     counts.steps += location.steps;
     if (location.vertex != null_index) {
-      m_editor.place_duplicate(id, location.vertex, p);
+      m_editor.place_covered(id, location.vertex, p);
       return null_index;
     }
     const bool is_found = find_polygon(slot, location, most);

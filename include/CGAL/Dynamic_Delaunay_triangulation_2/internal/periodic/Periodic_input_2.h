@@ -105,7 +105,7 @@ public:
     if (m_cell != m_cell_before)
       m_editing.set_cell(m_cell, m_multiples);
     m_positions.accept_frame(true);
-    m_writer.ids().duplicates().swap(m_next_duplicates);
+    m_writer.ids().covered_points().swap(m_next_covered);
     for (const auto& [v, shift] : m_translated)
       m_editing.shift_images(v, shift);
   }
@@ -116,7 +116,7 @@ public:
     for (const auto& [v, shift] : m_translated)
       m_editing.shift_images(v, no_shift - shift);
     m_positions.take_back(true);
-    m_writer.ids().duplicates().swap(m_next_duplicates);
+    m_writer.ids().covered_points().swap(m_next_covered);
     if (m_cell != m_cell_before)
       m_editing.set_cell(m_cell_before, inverse(m_multiples));
   }
@@ -199,12 +199,12 @@ private:
   void stage_all(const Next& next, const Torus_2& now)
   {
     m_positions.begin_frame();
-    m_next_duplicates = m_state.ids().duplicates();
+    m_next_covered = m_state.ids().covered_points();
     bool are_in_range =
         is_same_cell() ? stage_vertices<true>(next, now) : stage_vertices<false>(next, now);
-    for (auto& duplicate : m_next_duplicates) {
-      duplicate.point = next(duplicate.id);
-      are_in_range = are_in_range && is_in_range(approximation(duplicate.point), now);
+    for (Index i = 0; i < m_next_covered.size(); ++i) {
+      m_next_covered[i] = next(m_state.ids().covered_id(i));
+      are_in_range = are_in_range && is_in_range(approximation(m_next_covered[i]), now);
     }
     if (!are_in_range)
       throw_refused(next, now);
@@ -377,7 +377,7 @@ private:
   typename State::Writer::Positions& m_positions;
   Torus_editing_2<State> m_editing;
   std::vector<Point_id> m_gone; // ids to be left out of the next frame
-  std::vector<typename State::Ids::Duplicate> m_next_duplicates;
+  std::vector<Point> m_next_covered; // by their numbers
   std::vector<Translations> m_parts; // of the vertices, while they are staged
   Translations m_translated;         // vertices, and their shifts
   Periodic_cell_2 m_cell{1, 1}, m_cell_before{1, 1};

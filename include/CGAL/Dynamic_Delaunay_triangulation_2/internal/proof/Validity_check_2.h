@@ -79,11 +79,12 @@ private:
     return true;
   }
 
-  // In the plane a duplicate may differ from its vertex after an exception, until the next proof.
+  // In the plane a covered point may differ from its vertex after an exception, until the next
+  // proof.
   bool is_no_point_lost(bool is_certified) const
   {
     const auto& ids = m_state.ids();
-    Index duplicates = 0;
+    Index covered = 0, in_rings = 0;
     for (Point_id id(0); id < ids.number_of_ids(); ++id) {
       if (!ids.is_taken(id))
         continue;
@@ -91,15 +92,18 @@ private:
       if (v == infinite_index || v > m_state.number_of_vertices())
         return false;
       if (!ids.is_representative(id)) {
-        ++duplicates;
-        if ((State::is_periodic || is_certified) && !m_state.is_at(ids.duplicate(id).point, v))
+        ++covered;
+        if ((State::is_periodic || is_certified) && !m_state.is_at(ids.covered_point(id), v))
           return false;
       }
     }
-    for (Vertex_index v(1); v <= ids.number_of_representatives(); ++v)
+    for (Vertex_index v(1); v <= ids.number_of_representatives(); ++v) {
       if (!ids.is_taken(ids.representative(v)) || ids.vertex(ids.representative(v)) != v)
         return false;
-    return duplicates == ids.duplicates().size() &&
+      ids.for_each_covered_at(v,
+                              [&](Point_id id, const auto&) { in_rings += ids.vertex(id) == v; });
+    }
+    return covered == ids.number_of_covered() && covered == in_rings &&
            m_state.number_of_vertices() == ids.number_of_representatives();
   }
 

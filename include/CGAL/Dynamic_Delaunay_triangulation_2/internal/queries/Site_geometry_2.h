@@ -113,7 +113,7 @@ public:
   // The site of a neighbor of a site's vertex.
   static Site neighbor(Site, Vertex_index w) { return w; }
   static Periodic_shift_2 shift(Site) { return no_shift; }
-  // By how much a point at v, as a duplicate has it, must be shifted to be where v is.
+  // By how much a point that is covered at v must be shifted to be where v is.
   static Periodic_shift_2 shift_to(Vertex_index, const Point&) { return no_shift; }
 
   // Whether no edge between these sites goes outside of the hull.

@@ -133,7 +133,7 @@ public:
   void stage(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
     check_frame_length(first, beyond, m_state.ids().number_of_ids());
-    m_next_duplicates = m_state.ids().duplicates();
+    m_next_covered = m_state.ids().covered_points();
     m_were_exact = m_positions.are_exact();
     m_positions.begin_frame();
     m_are_exact = stage_all(first, beyond, point_map);
@@ -149,14 +149,14 @@ public:
   void accept()
   {
     m_positions.accept_frame(m_are_exact);
-    exchange_duplicates();
+    exchange_covered();
   }
 
   // Undoes accept(): restores the positions from before the frame.
   void take_back()
   {
     m_positions.take_back(m_were_exact);
-    exchange_duplicates();
+    exchange_covered();
   }
 
   // Forgets the previous positions, at the end of a call.
@@ -168,16 +168,15 @@ private:
   bool stage_all(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
     if constexpr (is_random_access<InputIterator>)
-      if (m_state.ids().duplicates().empty())
-        return stage_all_representatives(first, beyond, point_map);
-    return stage_one_by_one(first, beyond, point_map);
+      return stage_in_order_of_vertices(first, beyond, point_map);
+    else
+      return stage_one_by_one(first, beyond, point_map);
   }
 
-  // For random-access input where each point has a vertex of its own: stages in the order of the
-  // vertices.
+  // For random-access input: stages in the order of the vertices, then the covered points.
   template <class RandomAccessIterator, class PointMap>
-  bool stage_all_representatives(RandomAccessIterator first, RandomAccessIterator beyond,
-                                 const PointMap& point_map)
+  bool stage_in_order_of_vertices(RandomAccessIterator first, RandomAccessIterator beyond,
+                                  const PointMap& point_map)
   {
     const Index points = m_state.ids().number_of_representatives();
     std::atomic<bool> are_right{true}, are_exact{true};
@@ -188,9 +187,10 @@ private:
       if (!are_exact_here)
         are_exact.store(false, std::memory_order_relaxed);
     });
-    if (!are_right)
+    bool covered_are_exact = true;
+    if (!stage_covered(first, point_map, covered_are_exact) || !are_right)
       throw_refused(first, beyond, point_map);
-    return are_exact;
+    return are_exact && covered_are_exact;
   }
 
   // Stages the vertices from v to before `end`, without branches. False if a coordinate is refused.
@@ -203,14 +203,8 @@ private:
     const Point_id* const representatives = m_state.ids().representatives();
     const auto staged = m_positions.staged();
     const auto stage = [&, staged](std::size_t i, Limit_check_2& check) {
-      // keep the iterator and its value alive, because p may refer to data inside of them
-      const RandomAccessIterator iterator = first + Difference(representatives[i]);
-      auto&& value = *iterator;
-      const Point& p = get(point_map, value);
-      const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
-      check.add(position);
-      are_exact = are_exact && has_exact_position(p);
-      staged.set(Vertex_index(i), position, p);
+      read(first, point_map, representatives[i], check, are_exact,
+           [&](const Position_2& position, const Point& p) { staged.set(Vertex_index(i), position, p); });
     };
     // consecutive vertices are near to each other in the plane, but scattered over the range
     const auto prefetch_point = [&](std::size_t i) {
@@ -235,6 +229,33 @@ private:
     return odd.holds() && even.holds();
   }
 
+  // Stages the covered points. False if a coordinate is refused.
+  template <class RandomAccessIterator, class PointMap>
+  bool stage_covered(RandomAccessIterator first, const PointMap& point_map, bool& are_exact)
+  {
+    Limit_check_2 check;
+    for (Index i = 0; i < m_next_covered.size(); ++i)
+      read(first, point_map, m_state.ids().covered_id(i), check, are_exact,
+           [&](const Position_2&, const Point& p) { m_next_covered[i] = p; });
+    return check.holds();
+  }
+
+  // Reads one point of random-access input, and calls store(position, point).
+  template <class RandomAccessIterator, class PointMap, class Store>
+  static void read(RandomAccessIterator first, const PointMap& point_map, Index id,
+                   Limit_check_2& check, bool& are_exact, const Store& store)
+  {
+    using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
+    // keep the iterator and its value alive, because p may refer to data inside of them
+    const RandomAccessIterator iterator = first + Difference(id);
+    auto&& value = *iterator;
+    const Point& p = get(point_map, value);
+    const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+    check.add(position);
+    are_exact = are_exact && has_exact_position(p);
+    store(position, p);
+  }
+
   template <class InputIterator, class PointMap>
   void throw_refused(InputIterator first, InputIterator beyond, const PointMap& point_map)
   {
@@ -250,7 +271,6 @@ private:
     const Index ids = m_state.ids().number_of_ids();
     bool are_exact = true;
     const auto staged = m_positions.staged();
-    auto duplicate = m_next_duplicates.begin(); // sorted by id
     Point_id id(0);
     for (; id < ids && first != beyond; ++id, ++first) {
       if (!m_state.ids().is_taken(id))
@@ -258,10 +278,10 @@ private:
       auto&& value = *first;
       const Point& p = get(point_map, value);
       const Position_2 position = checked_position(p, id, are_exact);
-      if (duplicate != m_next_duplicates.end() && duplicate->id == id)
-        (duplicate++)->point = p;
-      else
+      if (m_state.ids().is_representative(id))
         staged.set(m_state.ids().vertex(id), position, p);
+      else
+        m_next_covered[m_state.ids().covered_number(id)] = p;
     }
     if (first != beyond)
       throw Point_count_error_2(ids, ids + std::size_t(1));
@@ -270,13 +290,13 @@ private:
     return are_exact;
   }
 
-  // The points of duplicates belong to a frame, too.
-  void exchange_duplicates() { m_ids.duplicates().swap(m_next_duplicates); }
+  // Covered points belong to a frame, too.
+  void exchange_covered() { m_ids.covered_points().swap(m_next_covered); }
 
   const State& m_state;
   Ids& m_ids;
   typename State::Writer::Positions& m_positions;
-  std::vector<typename Ids::Duplicate> m_next_duplicates;
+  std::vector<Point> m_next_covered; // by their numbers
   bool m_were_exact = true, m_are_exact = true;
 };
 

@@ -283,10 +283,10 @@ private:
   void set_dimension(int dimension) { m_writer.set_dimension(dimension); }
 
   // Sorts the vertices. False, perhaps without sorting, if the set of vertices may change, because
-  // vertices coincide or there are duplicates, which may have left.
+  // vertices coincide or there are covered points, which may have left.
   bool sort_vertices()
   {
-    if (!m_state.ids().duplicates().empty())
+    if (m_state.ids().number_of_covered() > 0)
       return false;
     const boost::counting_iterator<Index> first(1), beyond(m_state.number_of_vertices() + Index(1));
     m_vertex_order.sort(first, beyond);

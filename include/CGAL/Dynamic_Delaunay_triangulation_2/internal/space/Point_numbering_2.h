@@ -21,8 +21,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Puts points into a spatial order, distinguishes representatives from duplicates, and numbers the
-// vertices in that order. Of coincident points, it makes one that keeps its vertex, if there is
+// Puts points into a spatial order, distinguishes representatives from covered points, and numbers
+// the vertices in that order. Of coincident points, it makes one that keeps its vertex, if there is
 // any, the representative.
 template <class State>
 class Point_numbering_2
@@ -50,7 +50,7 @@ public:
   }
 
   // Numbers the vertices of the maintained triangulation, at their present positions and in this
-  // order. No vertices may coincide, and there must be no duplicates.
+  // order. No vertices may coincide, and there must be no covered points.
   void number(Spatial_order_2 order)
   {
     const Index vertices = m_state.number_of_vertices();
@@ -69,13 +69,13 @@ public:
   void number()
   {
     const Ids& ids = m_state.ids();
-    std::vector<Point_id> point_ids = ids.representatives_and_duplicates();
+    std::vector<Point_id> point_ids = ids.representatives_and_covered();
     std::vector<Point> points;
     points.reserve(point_ids.size());
     for (Vertex_index v(1); v <= m_state.number_of_vertices(); ++v)
       points.push_back(m_state.point(v));
-    for (const auto& duplicate : ids.duplicates())
-      points.push_back(duplicate.point);
+    for (std::size_t i = points.size(); i < point_ids.size(); ++i)
+      points.push_back(ids.covered_point(point_ids[i]));
     number(std::move(point_ids), std::move(points), ids.number_of_ids(),
            [&](Point_id id) { return ids.is_representative(id); });
   }
@@ -158,12 +158,11 @@ private:
       ++representative;
     if (representative == beyond)
       representative = first;
-    const Point_id id = m_point_ids[m_order[representative]];
-    const Vertex_index vertex = m_ids.add_representative(id);
+    const Vertex_index vertex = m_ids.add_representative(m_point_ids[m_order[representative]]);
     m_place_of_vertex.push_back(m_order[representative]);
     for (std::size_t i = first; i < beyond; ++i)
       if (i != representative)
-        m_ids.add_duplicate(m_point_ids[m_order[i]], id, m_points[m_order[i]]);
+        m_ids.cover(m_point_ids[m_order[i]], vertex, m_points[m_order[i]]);
     return vertex;
   }
 

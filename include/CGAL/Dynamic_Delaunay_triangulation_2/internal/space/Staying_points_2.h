@@ -80,7 +80,7 @@ private:
   // The ids of all points but those in `gone`, representatives first.
   std::vector<Point_id> ids_without(const std::vector<Point_id>& gone)
   {
-    std::vector<Point_id> ids = m_state.ids().representatives_and_duplicates();
+    std::vector<Point_id> ids = m_state.ids().representatives_and_covered();
     if (gone.empty())
       return ids;
     m_goes.assign(m_state.ids().number_of_ids(), false);

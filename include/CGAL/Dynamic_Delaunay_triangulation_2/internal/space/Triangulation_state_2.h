@@ -52,7 +52,7 @@ public:
   // The present point with this id.
   Point point_of_id(Point_id id) const
   {
-    return m_ids.is_representative(id) ? this->point(m_ids.vertex(id)) : m_ids.duplicate(id).point;
+    return m_ids.is_representative(id) ? this->point(m_ids.vertex(id)) : m_ids.covered_point(id);
   }
   // The id of the point at a corner: of the representative, if points coincide.
   Point_id id_at(Halfedge_index corner) const

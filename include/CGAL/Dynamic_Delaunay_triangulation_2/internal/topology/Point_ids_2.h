@@ -12,28 +12,24 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The vertex of each id. Points that coincide share the vertex of one of them, its representative;
-// the others are duplicates there. Ids of removed points are free, and reused from the smallest on.
+// the others are covered there. The covered points at a vertex form a ring, so that they take
+// memory only where there are any, and that vertices merge and points part in constant time, but
+// for what is written into each of the points that get another vertex. Ids of removed points are
+// free, and reused from the smallest on.
 template <class Point>
 class Point_ids_2
 {
 public:
-  struct Duplicate
-  {
-    Point_id id;
-    Point point;
-  };
-
   // One more than the largest id ever in use.
-  Index number_of_ids() const { return Index(m_vertex_of_id.size()); }
-  Index number_of_points() const
-  {
-    return number_of_representatives() + Index(m_duplicates.size());
-  }
+  Index number_of_ids() const { return Index(m_vertex_or_ring.size()); }
+  Index number_of_covered() const { return Index(m_covered.size()); }
+  Index number_of_points() const { return number_of_representatives() + number_of_covered(); }
   bool has_representative(Vertex_index vertex) const
   {
     return m_representative[vertex] != null_index;
@@ -41,26 +37,78 @@ public:
   Index number_of_representatives() const { return Index(m_representative.size()) - 1; }
   bool is_taken(std::size_t id) const
   {
-    return id < m_vertex_of_id.size() && m_vertex_of_id[Point_id(id)] != null_index;
+    return id < m_vertex_or_ring.size() && m_vertex_or_ring[Point_id(id)] != null_index;
   }
-  Vertex_index vertex(Point_id id) const { return m_vertex_of_id[id]; }
+  // The vertex of an id, which must be taken.
+  Vertex_index vertex(Point_id id) const
+  {
+    return is_in_ring(id) ? m_covered[number_in_ring(id)].vertex
+                          : Vertex_index(m_vertex_or_ring[id]);
+  }
   Point_id representative(Vertex_index vertex) const { return m_representative[vertex]; }
   // Indexed by vertices.
   const Point_id* representatives() const { return m_representative.data(); }
   // The id must be taken.
-  bool is_representative(Point_id id) const { return m_representative[m_vertex_of_id[id]] == id; }
-  const std::vector<Duplicate>& duplicates() const { return m_duplicates; }
-  std::vector<Duplicate>& duplicates() { return m_duplicates; }
+  bool is_representative(Point_id id) const
+  {
+    return !is_in_ring(id) || m_covered[number_in_ring(id)].id != id;
+  }
 
-  const Duplicate& duplicate(Point_id id) const { return *find_duplicate(m_duplicates, id); }
-  Duplicate& duplicate(Point_id id) { return *find_duplicate(m_duplicates, id); }
+  // Covered points have numbers, which change when others come or go.
+  Index covered_number(Point_id id) const { return number_in_ring(id); }
+  Point_id covered_id(Index number) const { return m_covered[number].id; }
+  const Point& covered_point(Point_id id) const { return m_covered_points[covered_number(id)]; }
+  Point& covered_point(Point_id id) { return m_covered_points[covered_number(id)]; }
+  // By these numbers.
+  const std::vector<Point>& covered_points() const { return m_covered_points; }
+  std::vector<Point>& covered_points() { return m_covered_points; }
 
-  // The ids of all points: the representatives in the order of their vertices, then the duplicates.
-  std::vector<Point_id> representatives_and_duplicates() const
+  // Calls f(id, vertex, point) for all covered points, in any order.
+  template <class Function>
+  void for_each_covered(const Function& f) const
+  {
+    for (Index i = 0; i < number_of_covered(); ++i)
+      f(m_covered[i].id, m_covered[i].vertex, m_covered_points[i]);
+  }
+
+  // Calls f(id, point) for the covered points at a vertex, in any order.
+  template <class Function>
+  void for_each_covered_at(Vertex_index vertex, const Function& f) const
+  {
+    for_each_in_ring(vertex, [&](Index i) { f(m_covered[i].id, m_covered_points[i]); });
+  }
+
+  // The smallest id of the covered points at a vertex for which `pleases(point)` is true, or
+  // `null_index`.
+  template <class Predicate>
+  Point_id find_covered_at(Vertex_index vertex, const Predicate& pleases) const
+  {
+    Point_id smallest = null_index;
+    for_each_covered_at(vertex, [&](Point_id id, const Point& point) {
+      if (id < smallest && pleases(point))
+        smallest = id;
+    });
+    return smallest;
+  }
+
+  // The ids of the covered points, ascending.
+  std::vector<Point_id> covered_ids() const
+  {
+    std::vector<Point_id> ids;
+    ids.reserve(m_covered.size());
+    for (const Covered& covered : m_covered)
+      ids.push_back(covered.id);
+    make_distinct(ids);
+    return ids;
+  }
+
+  // The ids of all points: the representatives in the order of their vertices, then those of the
+  // covered points, ascending.
+  std::vector<Point_id> representatives_and_covered() const
   {
     std::vector<Point_id> order(m_representative.begin() + 1, m_representative.end());
-    for (const Duplicate& duplicate : m_duplicates)
-      order.push_back(duplicate.id);
+    const std::vector<Point_id> covered = covered_ids();
+    order.insert(order.end(), covered.begin(), covered.end());
     return order;
   }
 
@@ -113,42 +161,45 @@ public:
   // Starts with so many ids, none of them taken.
   void reset(Index ids)
   {
-    m_vertex_of_id.assign(ids, null_index);
+    m_vertex_or_ring.assign(ids, null_index);
     m_representative.assign(1, null_index); // the infinite vertex has no point
-    m_duplicates.clear();
+    m_covered.clear();
+    m_covered_points.clear();
     m_free_ids.clear();
   }
 
   // Makes `id` the representative of the next vertex.
   Vertex_index add_representative(Point_id id)
   {
-    m_vertex_of_id[id] = Vertex_index(m_representative.size());
+    const Vertex_index vertex(m_representative.size());
+    m_vertex_or_ring[id] = vertex;
     m_representative.push_back(id);
-    return m_vertex_of_id[id];
+    return vertex;
   }
 
   // Changes the number of vertices. Then set_representative() must be called for each of them.
   void resize(Index vertices) { m_representative.resize(vertices + std::size_t(1)); }
   void set_representative(Vertex_index vertex, Point_id id)
   {
-    m_vertex_of_id[id] = vertex;
+    m_vertex_or_ring[id] = vertex;
     m_representative[vertex] = id;
   }
 
-  void add_duplicate(Point_id id, Point_id representative, const Point& point)
+  // Covers a point, which has no vertex yet, at a vertex that has a representative.
+  void cover(Point_id id, Vertex_index vertex, const Point& point)
   {
-    m_vertex_of_id[id] = m_vertex_of_id[representative];
-    m_duplicates.push_back(Duplicate{id, point});
+    const Index i = number_of_covered();
+    m_covered.push_back({id, vertex, i, i});
+    m_covered_points.push_back(point);
+    m_vertex_or_ring[id] = first_in_ring + i;
+    join_ring(i, vertex);
   }
 
-  // Sorts the duplicates and collects the free ids. To be called after the last point was added.
+  // Collects the free ids. To be called after the last point was added.
   void finish_numbering()
   {
-    const auto comes_before = [](const Duplicate& g, const Duplicate& h) { return g.id < h.id; };
-    if (!std::is_sorted(m_duplicates.begin(), m_duplicates.end(), comes_before))
-      std::sort(m_duplicates.begin(), m_duplicates.end(), comes_before);
     for (Point_id id(0); id < number_of_ids(); ++id)
-      if (m_vertex_of_id[id] == null_index)
+      if (m_vertex_or_ring[id] == null_index)
         m_free_ids.push_back(id); // ascending numbers are a heap
   }
 
@@ -158,10 +209,10 @@ public:
   void reserve(const std::vector<Point_id>& next_ids)
   {
     reserve_extra(m_free_ids, next_ids.size());
-    reserve_extra(m_vertex_of_id, next_ids.size());
+    reserve_extra(m_vertex_or_ring, next_ids.size());
     for (const Point_id id : next_ids)
       if (id == number_of_ids()) {
-        m_vertex_of_id.push_back(null_index);
+        m_vertex_or_ring.push_back(null_index);
       } else {
         CGAL_precondition(id == m_free_ids.front());
         std::pop_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
@@ -176,77 +227,69 @@ public:
     std::push_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
   }
 
-  // Reserve memory for one more vertex, for more duplicates, or for more free ids. Then nothing
+  // Reserve memory for one more vertex, for more covered points, or for more free ids. Then nothing
   // below throws.
   void reserve_for_vertex() { reserve_extra(m_representative, 1); }
-  void reserve_for_duplicates(std::size_t number) { reserve_extra(m_duplicates, number); }
+  void reserve_for_covered(std::size_t number)
+  {
+    reserve_extra(m_covered, number);
+    reserve_extra(m_covered_points, number);
+  }
   void reserve_for_removals(std::size_t number) { reserve_extra(m_free_ids, number); }
 
   // Appends a vertex without representative.
   void append_vertex() { m_representative.push_back(null_index); }
 
-  // Makes `id`, a reserved id or that of a duplicate, the representative of a vertex that has none.
+  // Makes `id`, a reserved id or that of a covered point, the representative of a vertex that has
+  // none.
   void place_representative(Point_id id, Vertex_index vertex)
   {
     leave(id);
-    m_vertex_of_id[id] = vertex;
-    m_representative[vertex] = id;
+    set_representative(vertex, id);
   }
 
-  // Makes `id`, a reserved id or that of a duplicate, a duplicate at `vertex`.
-  void place_duplicate(Point_id id, Vertex_index vertex, const Point& point)
+  // Covers the point `id`, which is reserved or covered elsewhere, at `vertex`.
+  void place_covered(Point_id id, Vertex_index vertex, const Point& point)
   {
     leave(id);
-    m_vertex_of_id[id] = vertex;
-    m_duplicates.insert(find_duplicate(m_duplicates, id), Duplicate{id, point});
+    cover(id, vertex, point);
   }
 
-  // Removes a duplicate and frees its id.
-  void remove_duplicate(Point_id id)
+  // Removes a covered point and frees its id.
+  void remove_covered(Point_id id)
   {
-    m_duplicates.erase(find_duplicate(m_duplicates, id));
+    leave(id);
     free(id);
   }
 
-  // Removes a representative without duplicates and frees its id. Its vertex then has none.
+  // Removes a representative that covers none and frees its id. Its vertex then has none.
   void remove_representative(Point_id id)
   {
-    m_representative[m_vertex_of_id[id]] = null_index;
+    CGAL_precondition(!is_in_ring(id));
+    m_representative[vertex(id)] = null_index;
     free(id);
   }
 
-  // The smallest id of the duplicates at `vertex` for which `pleases` is true, or `null_index`.
-  template <class Predicate>
-  Point_id find_duplicate_at(Vertex_index vertex, const Predicate& pleases) const
+  // Makes a covered point the representative of its vertex, and covers the representative, whose
+  // point is `point`.
+  void exchange_representative(Point_id covered, const Point& point)
   {
-    for (const Duplicate& duplicate : m_duplicates)
-      if (m_vertex_of_id[duplicate.id] == vertex && pleases(duplicate))
-        return duplicate.id;
-    return null_index;
+    const Index i = number_in_ring(covered);
+    Point_id& representative = m_representative[m_covered[i].vertex];
+    m_covered[i].id = representative;
+    m_covered_points[i] = point;
+    m_vertex_or_ring[representative] = first_in_ring + i;
+    representative = covered; // m_vertex_or_ring[covered] is right already
   }
 
-  // Makes a duplicate the representative of its vertex, and the representative, whose point is
-  // `point`, a duplicate.
-  void exchange_representative(Point_id duplicate, const Point& point)
-  {
-    const Vertex_index vertex = m_vertex_of_id[duplicate];
-    const Point_id representative = m_representative[vertex];
-    m_duplicates.erase(find_duplicate(m_duplicates, duplicate));
-    m_duplicates.insert(find_duplicate(m_duplicates, representative),
-                        Duplicate{representative, point});
-    m_representative[vertex] = duplicate;
-  }
-
-  // Makes the representative and the duplicates of vertex `other` duplicates at `vertex`. `point`
-  // is the representative's point.
+  // Covers all points of vertex `other` at `vertex`. `point` is that of its representative.
   void merge(Vertex_index other, Vertex_index vertex, const Point& point)
   {
-    for (const Duplicate& duplicate : m_duplicates)
-      if (m_vertex_of_id[duplicate.id] == other)
-        m_vertex_of_id[duplicate.id] = vertex;
     const Point_id id = m_representative[other];
-    m_vertex_of_id[id] = vertex;
-    m_duplicates.insert(find_duplicate(m_duplicates, id), Duplicate{id, point});
+    for_each_in_ring(other, [&](Index i) { m_covered[i].vertex = vertex; });
+    if (is_in_ring(id))
+      join_ring(number_in_ring(id), vertex);
+    cover(id, vertex, point);
     m_representative[other] = null_index;
   }
 
@@ -256,42 +299,108 @@ public:
     const Vertex_index last(number_of_representatives());
     CGAL_precondition(!has_representative(vertex));
     if (vertex != last) {
-      m_representative[vertex] = m_representative[last];
-      m_vertex_of_id[m_representative[vertex]] = vertex;
-      for (const Duplicate& duplicate : m_duplicates)
-        if (m_vertex_of_id[duplicate.id] == last)
-          m_vertex_of_id[duplicate.id] = vertex;
+      const Point_id id = m_representative[last];
+      for_each_in_ring(last, [&](Index i) { m_covered[i].vertex = vertex; });
+      m_representative[vertex] = id;
+      if (!is_in_ring(id))
+        m_vertex_or_ring[id] = vertex;
     }
     m_representative.pop_back();
   }
 
 private:
-  // The place of a duplicate in the list, or where to insert it.
-  template <class Duplicates>
-  static auto find_duplicate(Duplicates& duplicates, Point_id id)
+  struct Covered
   {
-    return std::lower_bound(
-        duplicates.begin(), duplicates.end(), id,
-        [](const Duplicate& duplicate, Point_id i) { return duplicate.id < i; });
+    Point_id id;
+    Vertex_index vertex;
+    Index next, previous; // in the ring of those at the vertex
+  };
+
+  // THE RING OF A VERTEX --------------------------------------------------------------------------
+
+  // Whether an id, which must be taken, is that of a covered point, or of a representative that
+  // covers some.
+  bool is_in_ring(Point_id id) const { return m_vertex_or_ring[id] >= first_in_ring; }
+  // The number of the covered point itself, or of one that the representative covers.
+  Index number_in_ring(Point_id id) const { return m_vertex_or_ring[id] - first_in_ring; }
+
+  // Calls f(number) for the covered points at a vertex.
+  template <class Function>
+  void for_each_in_ring(Vertex_index vertex, const Function& f) const
+  {
+    const Point_id representative = m_representative[vertex];
+    if (!is_in_ring(representative))
+      return;
+    const Index first = number_in_ring(representative);
+    Index i = first;
+    do {
+      f(i);
+      i = m_covered[i].next;
+    } while (i != first);
   }
 
-  // Removes a duplicate from its vertex. A reserved id has no vertex to leave.
+  // Joins the ring of i with that of a vertex.
+  void join_ring(Index i, Vertex_index vertex)
+  {
+    const Point_id representative = m_representative[vertex];
+    if (is_in_ring(representative))
+      exchange_next(number_in_ring(representative), i);
+    m_vertex_or_ring[representative] = first_in_ring + i;
+  }
+
+  // Makes one ring of two, or two of one.
+  void exchange_next(Index i, Index j)
+  {
+    std::swap(m_covered[i].next, m_covered[j].next);
+    m_covered[m_covered[i].next].previous = i;
+    m_covered[m_covered[j].next].previous = j;
+  }
+
+  // Takes a covered point from its vertex. A reserved id has no vertex to leave.
   void leave(Point_id id)
   {
-    if (is_taken(id))
-      m_duplicates.erase(find_duplicate(m_duplicates, id));
+    if (!is_taken(id))
+      return;
+    const Index i = number_in_ring(id), previous = m_covered[i].previous;
+    const Vertex_index vertex = m_covered[i].vertex;
+    m_vertex_or_ring[m_representative[vertex]] =
+        previous == i ? Index(vertex) : first_in_ring + previous;
+    exchange_next(previous, i);
+    move_last_covered_to(i);
+  }
+
+  // Gives the last covered point the number of one that is alone in its ring and goes.
+  void move_last_covered_to(Index i)
+  {
+    const Index last = number_of_covered() - 1;
+    if (i != last) {
+      exchange_next(i, m_covered[last].previous);
+      exchange_next(i, last);
+      m_covered[i].id = m_covered[last].id;
+      m_covered[i].vertex = m_covered[last].vertex;
+      m_covered_points[i] = m_covered_points[last];
+      m_vertex_or_ring[m_covered[i].id] = first_in_ring + i;
+      m_vertex_or_ring[m_representative[m_covered[i].vertex]] = first_in_ring + i;
+    }
+    m_covered.pop_back();
+    m_covered_points.pop_back();
   }
 
   void free(Point_id id)
   {
-    m_vertex_of_id[id] = null_index;
+    m_vertex_or_ring[id] = null_index;
     release(id);
   }
 
-  Column<Point_id, Vertex_index> m_vertex_of_id; // null_index for free ids
+  static constexpr Index first_in_ring = Index(1) << 31;
+  static_assert(max_vertices < first_in_ring);
+
+  // By ids: null_index if free, a vertex, or from first_in_ring on the number of a covered point.
+  Column<Point_id, Index> m_vertex_or_ring;
   Column<Vertex_index, Point_id> m_representative;
-  std::vector<Duplicate> m_duplicates; // sorted by id
-  std::vector<Point_id> m_free_ids;    // a heap, the smallest on top
+  std::vector<Covered> m_covered;
+  std::vector<Point> m_covered_points;
+  std::vector<Point_id> m_free_ids; // a heap, the smallest on top
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

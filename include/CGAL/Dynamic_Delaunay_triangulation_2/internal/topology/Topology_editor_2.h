@@ -277,7 +277,7 @@ public:
     });
   }
 
-  // Takes out the polygon's center. Its points, which are at p, become duplicates at `stays`.
+  // Takes out the polygon's center. Its points, which are at p, are covered at `stays` then.
   Slot merge(const Polygon& polygon, Vertex_index stays, const Point& p)
   {
     return take_out(polygon, [&] { hand_points_to(stays, polygon.center(), p); });
@@ -412,25 +412,25 @@ public:
   void reserve_ids(const std::vector<Point_id>& ids) { m_ids.reserve(ids); }
   void release_id(Point_id id) { m_ids.release(id); }
 
-  // Reserve memory. Then remove_duplicate(), place_duplicate(), put_in() and hand_points_to() throw
+  // Reserve memory. Then remove_covered(), place_covered(), put_in() and hand_points_to() throw
   // nothing.
   void reserve_for_removals(std::size_t number) { m_ids.reserve_for_removals(number); }
-  void reserve_for_duplicates(std::size_t number) { m_ids.reserve_for_duplicates(number); }
+  void reserve_for_covered(std::size_t number) { m_ids.reserve_for_covered(number); }
   void reserve_for_new_edges(std::size_t number)
   {
     reserve_extra(m_changes.new_edges, number);
     m_editing.reserve(2 * number);
   }
 
-  void remove_duplicate(Point_id id) { m_ids.remove_duplicate(id); }
+  void remove_covered(Point_id id) { m_ids.remove_covered(id); }
 
-  void place_duplicate(Point_id id, Vertex_index vertex, const Point& p)
+  void place_covered(Point_id id, Vertex_index vertex, const Point& p)
   {
-    m_ids.place_duplicate(id, vertex, p);
+    m_ids.place_covered(id, vertex, p);
   }
 
-  // Puts the slot's vertex into a face or a polygon, for the point `id`, which is new or was a
-  // duplicate.
+  // Puts the slot's vertex into a face or a polygon, for the point `id`, which is new or was
+  // covered.
   template <class Place>
   void put_in_new(const Slot& slot, const Place& place, Point_id id)
   {
@@ -448,23 +448,23 @@ public:
     m_changes.relocated.push_back(slot.vertex);
   }
 
-  // Makes the points of vertex `goes`, which are at p, duplicates at vertex `stays`.
+  // Makes the points of vertex `goes`, which are at p, covered at vertex `stays`.
   void hand_points_to(Vertex_index stays, Vertex_index goes, const Point& p)
   {
     m_editing.before_vertex_merge(goes, stays);
     m_ids.merge(goes, stays, p);
   }
 
-  // Makes a duplicate at v the representative, so that v gets its point. The former representative
-  // becomes a duplicate at p. If it throws, nothing has changed.
-  void exchange_representative(Point_id duplicate, Vertex_index v, const Point& p)
+  // Makes a covered point at v the representative, so that v gets its point. The former
+  // representative is covered then, at p. If it throws, nothing has changed.
+  void exchange_representative(Point_id covered, Vertex_index v, const Point& p)
   {
     m_editing.reserve_for_id_change(v);
     const Point_id representative = m_ids.representative(v);
-    const Point point = m_ids.duplicate(duplicate).point;
+    const Point point = m_ids.covered_point(covered);
     const Position_2 before = m_state.positions()[v];
     m_editing.before_id_change(v);
-    m_ids.exchange_representative(duplicate, p);
+    m_ids.exchange_representative(covered, p);
     m_positions.set(v, point);
     m_editing.after_id_change(v, representative, before);
   }
@@ -476,11 +476,10 @@ public:
     m_positions.note_exactness(are_exact);
     if (ids.empty())
       return;
-    reserve_for_duplicates(ids.size());
     m_positions.reserve_for_moves(ids.size());
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (!m_ids.is_representative(ids[i]))
-        m_ids.duplicate(ids[i]).point = points[i];
+        m_ids.covered_point(ids[i]) = points[i];
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (m_ids.is_representative(ids[i]))
         move_representative(ids[i], points[i]);
@@ -531,11 +530,8 @@ private:
   void move_representative(Point_id id, const Point& p)
   {
     const Vertex_index v = m_ids.vertex(id);
-    const Point_id successor = m_ids.duplicates().empty() || m_state.is_at(p, v)
-                                   ? null_index
-                                   : m_ids.find_duplicate_at(v, [&](const auto& duplicate) {
-                                       return m_state.is_at(duplicate.point, v);
-                                     });
+    const Point_id successor = m_ids.find_covered_at(
+        v, [&](const Point& covered) { return m_state.is_at(covered, v) && !m_state.is_at(p, v); });
     if (successor != null_index)
       return exchange_representative(successor, v, p);
     m_editing.reserve_for_move();

@@ -78,15 +78,16 @@ public:
     return true;
   }
 
-  // Puts in vertices outside of faces, new points and parted duplicates, with flips around each.
-  void put_in(const std::vector<Point_id>& parted_duplicates)
+  // Puts in vertices outside of faces, new points and those that have parted, with flips around
+  // each.
+  void put_in(const std::vector<Point_id>& parted)
   {
     Proof& proof = m_context.proof;
     Repair_budget_2& budget = m_context.budget;
     CGAL_precondition(!proof.is_required() || proof.empty());
     bool is_delaunay = proof.is_required(); // the end of the update tests that the hull turns once
     proof.set_faces(Proof::Faces::UNKNOWN);
-    budget.allow((parted_duplicates.size() + m_context.relocation.number_to_put_in()) *
+    budget.allow((parted.size() + m_context.relocation.number_to_put_in()) *
                  Cost_model_2::relocation);
     std::size_t steps_before = 0;
     const auto most_faces = [&] { return is_delaunay ? m_flips.most_flips() + 1 : 0; };
@@ -101,7 +102,7 @@ public:
       }
       return !budget.is_spent() && (proof.empty() || State::can_locate_anywhere);
     };
-    const auto counts = m_context.relocation.put_in(parted_duplicates, most_faces, end);
+    const auto counts = m_context.relocation.put_in(parted, most_faces, end);
     m_context.report().relocated += counts.relocated;
     m_context.report().merged += counts.merged;
     m_context.report().parted += counts.parted;

@@ -100,24 +100,13 @@ public:
   // gap beside a slab, which are not listed.
   bool certify(const Choices& choices)
   {
-    if (m_is_certified || !m_state.spans_plane() || !parted_duplicates().empty())
+    if (m_is_certified || !m_state.spans_plane() || is_any_parted())
       return m_is_certified;
     const Certificate_2<State> certificate(m_state);
     m_is_certified = certificate.holds();
     if constexpr (State::is_periodic)
       m_is_certified = m_is_certified || (mend_gap(choices) && certificate.holds());
     return m_is_certified;
-  }
-
-  // The duplicates that have left their vertices.
-  std::vector<Point_id> parted_duplicates() const
-  {
-    std::vector<Point_id> parted;
-    const auto& ids = m_state.ids();
-    for (const auto& duplicate : ids.duplicates())
-      if (!m_state.is_at(duplicate.point, ids.vertex(duplicate.id)))
-        parted.push_back(duplicate.id);
-    return parted;
   }
 
 private:
@@ -175,6 +164,8 @@ private:
       mend_in_steps(plan.steps, change, choices);
     else
       mend(change, choices);
+    if (report.removed > 0 || report.merged > 0) // vertices may have taken other points
+      find_parted(change, was_certified);
     prove_before_points_come(report);
     put_in(report);
     prove(change, report);
@@ -200,6 +191,35 @@ private:
     return are_gone && m_tools.population.remove(ids);
   }
 
+  // POINTS THAT PART ----------------------------------------------------------------------------
+
+  // Lists the covered points that have left their vertices. Where all was certified, and no frame
+  // has come, these are among the points that moved alone.
+  void find_parted(const Change& change, bool was_certified)
+  {
+    m_parted.clear();
+    const auto& ids = m_state.ids();
+    const auto add_if_parted = [&](Point_id id, Vertex_index v, const Point& p) {
+      if (!m_state.is_at(p, v))
+        m_parted.push_back(id);
+    };
+    if (change.is_frame || !was_certified)
+      ids.for_each_covered(add_if_parted);
+    else
+      for (const Point_id id : change.moved)
+        if (!ids.is_representative(id))
+          add_if_parted(id, ids.vertex(id), ids.covered_point(id));
+    make_distinct(m_parted);
+  }
+
+  bool is_any_parted() const
+  {
+    bool is_any = false;
+    m_state.ids().for_each_covered(
+        [&](Point_id, Vertex_index v, const Point& p) { is_any = is_any || !m_state.is_at(p, v); });
+    return is_any;
+  }
+
   // TO REBUILD OR NOT ---------------------------------------------------------------------------
 
   // Why to rebuild, or else in how many steps to take a frame.
@@ -214,7 +234,8 @@ private:
   {
     if (!m_state.spans_plane() || leaves_too_few(change))
       return {Rebuild_reason_2::DIMENSION};
-    const std::size_t parted = parted_duplicates().size();
+    find_parted(change, was_certified);
+    const std::size_t parted = m_parted.size();
     if (are_too_many(change.gone.size() + change.coming.size() + parted))
       return {parted > change.gone.size() + change.coming.size() ? Rebuild_reason_2::COINCIDENCE
                                                                  : Rebuild_reason_2::POPULATION};
@@ -247,14 +268,13 @@ private:
     return m_state.number_of_vertices() < State::min_vertices + representatives;
   }
 
-  // Each change takes, besides, a search through all duplicates.
   bool are_too_many(std::size_t changes) const
   {
     constexpr std::size_t compared_at_the_price_of_a_change = 512;
-    const std::size_t duplicates = m_state.ids().duplicates().size();
-    const std::size_t searches = changes * duplicates / compared_at_the_price_of_a_change;
+    const std::size_t covered = m_state.ids().number_of_covered();
+    const std::size_t searches = changes * covered / compared_at_the_price_of_a_change;
     return changes > 0 && Cost_model_2::changes(changes + searches, m_state.number_of_vertices()) >
-                              m_context.price_of_rebuild() + Cost_model_2::rebuild(duplicates);
+                              m_context.price_of_rebuild() + Cost_model_2::rebuild(covered);
   }
 
   void rebuild(Change& change, Rebuild_reason_2 reason, Update_report_2& report)
@@ -384,7 +404,7 @@ private:
   void prove_before_points_come(const Update_report_2& report)
   {
     if (State::can_locate_anywhere || report.rebuilt() || m_context.proof.is_required() ||
-        (m_context.relocation.number_to_put_in() == 0 && parted_duplicates().empty()))
+        (m_context.relocation.number_to_put_in() == 0 && m_parted.empty()))
       return;
     m_context.proof.require();
     m_context.proof.take_unproved(m_state);
@@ -392,16 +412,16 @@ private:
     Hold_and_flip_repair_2().mend(mender);
   }
 
-  // Puts in vertices outside of faces, new points and parted duplicates, and mends around them.
+  // Puts in vertices outside of faces, new points and those that have parted, and mends around
+  // them.
   void put_in(Update_report_2& report)
   {
     if (report.rebuilt() || (m_context.proof.is_required() && !m_context.proof.empty()))
       return;
-    const std::vector<Point_id> parted = parted_duplicates();
     const auto& relocation = m_context.relocation;
     const bool has_left_open = relocation.is_under_way() && !m_context.proof.empty();
-    if (!parted.empty() || relocation.number_to_put_in() > 0 || has_left_open) {
-      m_tools.population.put_in(parted);
+    if (!m_parted.empty() || relocation.number_to_put_in() > 0 || has_left_open) {
+      m_tools.population.put_in(m_parted);
       Mender mender(m_tools);
       if (!mender.is_done())
         Hold_and_flip_repair_2().mend(mender);
@@ -453,6 +473,7 @@ private:
   Tools m_tools;
   Update_context_2<State>& m_context; // that of the tools
   std::vector<Edge_index> m_edges_around; // points that moved alone
+  std::vector<Point_id> m_parted;         // covered points that have left their vertices, ascending
   bool m_is_certified = true;
   bool m_has_removed = true;
   bool m_is_classifier_informed = false; // of what is new since an update began
