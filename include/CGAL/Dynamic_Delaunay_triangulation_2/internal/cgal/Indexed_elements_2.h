@@ -54,10 +54,14 @@ struct Info_type_2<void>
 };
 
 // A handle and an iterator of vertices or faces. It stays valid when arrays grow, and when a
-// structure is moved or swapped.
+// structure is moved or swapped. It has the element as its private base: nothing else can make an
+// element refer to another one.
 template <class Element>
-class Indexed_handle_2
+class Indexed_handle_2 : Element
 {
+  using Element::m_index;
+  using Element::m_storage;
+
 public:
   using Storage = typename Element::Storage;
   using value_type = Element;
@@ -72,15 +76,15 @@ public:
 
   Indexed_handle_2(std::nullptr_t = nullptr) noexcept {}
   Indexed_handle_2(Storage* storage, Index index) noexcept
-    : m_element(storage, index)
+    : Element(storage, index)
   {
   }
 
   // The number of the element. The next change may give the element another number.
-  Index index() const { return m_element.m_index; }
+  Index index() const { return m_index; }
 
-  Element& operator*() const { return m_element; }
-  Element* operator->() const { return &m_element; }
+  Element& operator*() const { return *operator->(); }
+  Element* operator->() const { return const_cast<Indexed_handle_2*>(this); }
 
   // The number from i on that an element has, or that of the end.
   static Index next(const Storage& s, Index i)
@@ -92,7 +96,7 @@ public:
 
   Indexed_handle_2& operator++()
   {
-    m_element.m_index = next(*m_element.m_storage, m_element.m_index + 1);
+    m_index = next(*m_storage, m_index + 1);
     return *this;
   }
   Indexed_handle_2 operator++(int)
@@ -103,11 +107,10 @@ public:
   }
   Indexed_handle_2& operator--()
   {
-    Index& i = m_element.m_index;
-    i = i == end_index ? Element::size_with_holes(*m_element.m_storage) : i;
+    m_index = m_index == end_index ? Element::size_with_holes(*m_storage) : m_index;
     do
-      --i;
-    while (Element::is_hole(*m_element.m_storage, i));
+      --m_index;
+    while (Element::is_hole(*m_storage, m_index));
     return *this;
   }
   Indexed_handle_2 operator--(int)
@@ -120,7 +123,7 @@ public:
   // Compares the numbers first, because they nearly always decide.
   friend bool operator==(const Indexed_handle_2& a, const Indexed_handle_2& b)
   {
-    return a.index() == b.index() && a.storage() == b.storage();
+    return a.m_index == b.m_index && a.m_storage == b.m_storage;
   }
   friend bool operator!=(const Indexed_handle_2& a, const Indexed_handle_2& b) { return !(a == b); }
   friend bool operator<(const Indexed_handle_2& a, const Indexed_handle_2& b)
@@ -141,10 +144,7 @@ public:
   }
 
 private:
-  const Storage* storage() const { return m_element.m_storage; }
-  std::uint32_t serial() const { return storage() == nullptr ? 0 : storage()->serial(); }
-
-  mutable Element m_element;
+  std::uint32_t serial() const { return m_storage == nullptr ? 0 : m_storage->serial(); }
 };
 
 template <class Storage_>
@@ -158,6 +158,8 @@ public:
   using Face_handle = typename Storage::Face_handle;
 
   using Indexed_element_2<Storage_>::Indexed_element_2;
+  Indexed_vertex_2() = default;
+  Indexed_vertex_2(const Indexed_vertex_2&) = default;
 
   Face_handle face() const
   {
@@ -201,18 +203,12 @@ public:
   static void clear(Storage& s) { s.clear_vertices(); }
   static void reserve(Storage& s, std::size_t number) { s.reserve_vertices(number); }
 
-private:
-  template <class Element>
-  friend class Indexed_handle_2;
-  using Indexed_element_2<Storage_>::m_storage; // accessible to the handle, a friend
+protected:
   using Indexed_element_2<Storage_>::m_index;
+  using Indexed_element_2<Storage_>::m_storage;
 
-  // Private, because it would make a handle refer to another vertex.
+  // Protected, because it makes a handle refer to another vertex.
   Indexed_vertex_2& operator=(const Indexed_vertex_2&) = default;
-
-public:
-  Indexed_vertex_2(const Indexed_vertex_2&) = default;
-  Indexed_vertex_2() = default;
 };
 
 template <class Storage_>
@@ -226,6 +222,8 @@ public:
   using Face_handle = typename Storage::Face_handle;
 
   using Indexed_element_2<Storage_>::Indexed_element_2;
+  Indexed_face_2() = default;
+  Indexed_face_2(const Indexed_face_2&) = default;
 
   Vertex_handle vertex(int i) const
   {
@@ -341,15 +339,14 @@ public:
   static void clear(Storage& s) { s.clear_faces(); }
   static void reserve(Storage& s, std::size_t number) { s.reserve_faces(number); }
 
-private:
-  template <class Element>
-  friend class Indexed_handle_2;
-  using Indexed_element_2<Storage_>::m_storage; // accessible to the handle, a friend
+protected:
   using Indexed_element_2<Storage_>::m_index;
+  using Indexed_element_2<Storage_>::m_storage;
 
-  // Private, because it would make a handle refer to another face.
+  // Protected, because it makes a handle refer to another face.
   Indexed_face_2& operator=(const Indexed_face_2&) = default;
 
+private:
   Halfedge_index halfedge(int i) const
   {
     CGAL_precondition(i >= 0 && i <= 2);
@@ -384,10 +381,6 @@ private:
     CGAL_assertion(is(i));
     return i;
   }
-
-public:
-  Indexed_face_2(const Indexed_face_2&) = default;
-  Indexed_face_2() = default;
 };
 
 // No combinatorial information is read or written, as with CGAL's bases.

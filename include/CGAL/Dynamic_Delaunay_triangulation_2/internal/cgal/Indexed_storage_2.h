@@ -543,17 +543,15 @@ private:
   const std::uint32_t m_serial = next_serial();
 };
 
-// The way to the storage of a data structure that is not constant, as only the owner of a
-// triangulation has it.
-class Indexed_storage_access_2
+// Returns an empty triangulation of CGAL that runs on a storage of the caller.
+template <class Triangulation, class Storage>
+Triangulation triangulation_on(Storage& storage, const typename Triangulation::Geom_traits& traits)
 {
-public:
-  template <class Tds>
-  static typename Tds::Storage& storage(Tds& tds)
-  {
-    return *tds.m_storage;
-  }
-};
+  Triangulation result(traits);
+  result.tds().run_on(storage);
+  result.clear(); // creates the infinite vertex
+  return result;
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
