@@ -81,11 +81,13 @@ public:
   /// the type of a property map from vertex handles to values of type `T`, a model of
   /// `LvaluePropertyMap`.
   template <class T>
-  using Vertex_property_map = typename Storage::Vertex_properties::template Map<T>;
+  using Vertex_property_map =
+      Dynamic_Delaunay_triangulations_2::internal::Indexed_property_map_2<Vertex_handle, T>;
   /// the type of a property map from face handles to values of type `T`, a model of
   /// `LvaluePropertyMap`.
   template <class T>
-  using Face_property_map = typename Storage::Face_properties::template Map<T>;
+  using Face_property_map =
+      Dynamic_Delaunay_triangulations_2::internal::Indexed_property_map_2<Face_handle, T>;
 
   /// \cond
   // Vertices and faces of other types need another structure.
@@ -150,10 +152,11 @@ public:
   }
 
   // Makes this structure run on a storage that another object owns. Copies have their own.
-  void run_on(Storage& storage) noexcept
+  void run_on(Storage& storage, int dimension) noexcept
   {
     m_storage = std::shared_ptr<Storage>(std::shared_ptr<void>(), &storage); // does not delete it
     attach();
+    this->set_dimension(dimension);
   }
   /// \endcond
 
@@ -257,14 +260,14 @@ public:
   std::pair<Vertex_property_map<T>, bool> add_vertex_property(const std::string& name,
                                                               const T& value = T())
   {
-    return m_storage->vertex_properties().template add<T>(name, value);
+    return m_storage->vertex_data().template add<T>(name, value);
   }
   /// adds a property to the faces, as `add_vertex_property()` does to the vertices.
   template <class T>
   std::pair<Face_property_map<T>, bool> add_face_property(const std::string& name,
                                                           const T& value = T())
   {
-    return m_storage->face_properties().template add<T>(name, value);
+    return m_storage->face_data().template add<T>(name, value);
   }
 
   /// @}

@@ -172,7 +172,7 @@ public:
   Point& point() { return m_storage->point(m_index); }
   void set_point(const Point& p) { m_storage->set_point(m_index, p); }
 
-  decltype(auto) info() const { return m_storage->vertex_info(m_index); }
+  decltype(auto) info() const { return m_storage->vertex_data().info(m_index); }
 
   bool is_valid(bool = false, int = 0) const { return face() != Face_handle(); }
 
@@ -181,22 +181,17 @@ public:
   static std::size_t size(const Storage& s) { return s.number_of_vertices(); }
   static bool is_hole(const Storage& s, Vertex_index v) { return s.is_erased_vertex(v); }
   static Vertex_handle create(Storage& s) { return {&s, s.create_vertex()}; }
-  static Vertex_handle create(Storage& s, const Point& p)
-  {
-    const Vertex_handle v = create(s);
-    v->set_point(p);
-    return v;
-  }
   static Vertex_handle create(Storage& s, const Indexed_vertex_2& other)
   {
     if (other.m_storage == nullptr)
       return create(s);
     const Point p = other.point(); // a copy, because the array of points may grow
-    const Vertex_handle v = create(s, p);
-    if constexpr (!std::is_void_v<typename Storage::Vertex_info>)
-      v->info() = other.info();
+    const Vertex_handle v = create(s);
+    v->set_point(p);
     if (other.m_storage == &s)
-      s.vertex_properties().copy(other.m_index, v.index());
+      s.vertex_data().copy(other.m_index, v.index());
+    else if constexpr (!std::is_void_v<typename Storage::Vertex_info>)
+      v->info() = other.info();
     return v;
   }
   static void erase(Storage& s, Vertex_index v) { s.erase_vertex(v); }
@@ -297,7 +292,7 @@ public:
     return i;
   }
 
-  decltype(auto) info() const { return m_storage->face_info(m_index); }
+  decltype(auto) info() const { return m_storage->face_data().info(m_index); }
 
   bool is_valid(bool = false, int = 0) const { return true; }
 
@@ -328,9 +323,8 @@ public:
     if (other.m_storage == &s) {
       f->set_vertices(other.vertex(0), other.vertex(1), other.vertex(2));
       f->set_neighbors(other.neighbor(0), other.neighbor(1), other.neighbor(2));
-      s.face_properties().copy(other.m_index, f.index());
-    }
-    if constexpr (!std::is_void_v<typename Storage::Face_info>)
+      s.face_data().copy(other.m_index, f.index());
+    } else if constexpr (!std::is_void_v<typename Storage::Face_info>)
       if (other.m_storage != nullptr)
         f->info() = other.info();
     return f;

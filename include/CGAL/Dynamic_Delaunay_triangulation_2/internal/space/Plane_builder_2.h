@@ -156,12 +156,10 @@ public:
   {
     bool all_arrived = false;
     write_all_anew([&] {
-      Storage storage;
-      Triangulation copy = triangulation_on<Triangulation>(storage, m_state.traits());
-      storage.copy(m_storage);
-      storage.writable_arrays().drop_edges();
+      Storage storage(m_storage);
       storage.writable_points() = m_positions.previous_points();
-      copy.tds().set_dimension(m_state.triangulation().dimension());
+      Triangulation copy = triangulation_on<Triangulation>(storage, m_state.traits(),
+                                                           m_state.triangulation().dimension());
       all_arrived = relocate_one_by_one(copy, relocated);
       take_arrays(storage, copy.dimension());
       m_positions.forget_previous();
@@ -308,7 +306,7 @@ private:
         ids.number_of_representatives(),
         [this](Vertex_index v) -> const Point& { return m_numbering.point(v); }, points, positions);
     const std::vector<Index> before = numbers_before();
-    auto data = m_storage.vertex_data().prepare(before);
+    const auto data = m_storage.vertex_data().prepare(before);
     m_numbering.release_points();
     tell_of_going_vertices(ids);
     const auto exchange = [&] {

@@ -92,8 +92,8 @@ public:
   }
   Face_handle face_handle(Face_index f) const { return m_triangulation.tds().face_handle(f); }
 
-  auto& vertex_properties() { return m_storage.vertex_properties(); }
-  auto& face_properties() { return m_storage.face_properties(); }
+  auto& vertex_properties() { return m_storage.vertex_data(); }
+  auto& face_properties() { return m_storage.face_data(); }
 
   // The number of finite vertices.
   Index number_of_vertices() const { return Index(positions().size()) - 1; }
