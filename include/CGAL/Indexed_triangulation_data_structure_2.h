@@ -11,7 +11,6 @@
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_ds_face_base_2.h>
 #include <CGAL/Triangulation_ds_vertex_base_2.h>
-#include <CGAL/Unique_hash_map.h>
 
 #include <memory>
 #include <string>
@@ -72,6 +71,10 @@ public:
   using Vertex_info = VertexInfo;
   /// the type of `info()` of a face, or `void`.
   using Face_info = FaceInfo;
+  /// \cond
+  using typename Base::Face;
+  using typename Base::Vertex;
+  /// \endcond
   /// a handle of a vertex, and an iterator.
   using Vertex_handle = typename Storage::Vertex_handle;
   /// a handle of a face, and an iterator.
@@ -79,11 +82,13 @@ public:
   /// the type of a property map from vertex handles to values of type `T`, a model of
   /// `LvaluePropertyMap`.
   template <class T>
-  using Vertex_property_map = typename Storage::Vertex_properties::template Map<T>;
+  using Vertex_property_map =
+      Dynamic_Delaunay_triangulations_2::internal::Indexed_property_map_2<Vertex_handle, T>;
   /// the type of a property map from face handles to values of type `T`, a model of
   /// `LvaluePropertyMap`.
   template <class T>
-  using Face_property_map = typename Storage::Face_properties::template Map<T>;
+  using Face_property_map =
+      Dynamic_Delaunay_triangulations_2::internal::Indexed_property_map_2<Face_handle, T>;
 
   /// \cond
   // Vertices and faces of other types need another structure.
@@ -105,7 +110,7 @@ public:
 
   /// creates an empty structure.
   Indexed_triangulation_data_structure_2()
-    : m_storage(std::make_unique<Storage>())
+    : m_storage(std::make_shared<Storage>())
   {
     attach();
   }
@@ -114,21 +119,12 @@ public:
   /// copy. Cost: linear.
   Indexed_triangulation_data_structure_2(const Indexed_triangulation_data_structure_2& other)
     : Base()
-    , m_storage(other.m_storage ? std::make_unique<Storage>(*other.m_storage)
-                                : std::make_unique<Storage>())
+    , m_storage(other.m_storage ? std::make_shared<Storage>(*other.m_storage)
+                                : std::make_shared<Storage>())
   {
     attach();
     this->set_dimension(other.dimension());
   }
-  /// replaces this structure by a copy of the other one. If it throws, nothing has changed.
-  Indexed_triangulation_data_structure_2&
-  operator=(const Indexed_triangulation_data_structure_2& other)
-  {
-    Indexed_triangulation_data_structure_2 copy(other);
-    swap(copy);
-    return *this;
-  }
-
   /// takes everything from the other structure. Handles stay valid. The other structure can then
   /// only be destroyed, cleared, swapped, or assigned to.
   Indexed_triangulation_data_structure_2(Indexed_triangulation_data_structure_2&& other) noexcept
@@ -139,12 +135,12 @@ public:
     other.attach();
     other.set_dimension(-2);
   }
-  /// replaces this structure by the other one, which is left as by the move constructor.
+  /// replaces this structure by the other one, which is copied, or left as by the move constructor.
+  /// If it throws, nothing has changed.
   Indexed_triangulation_data_structure_2&
-  operator=(Indexed_triangulation_data_structure_2&& other) noexcept
+  operator=(Indexed_triangulation_data_structure_2 other) noexcept
   {
-    Indexed_triangulation_data_structure_2 taken(std::move(other));
-    swap(taken);
+    swap(other);
     return *this;
   }
 
@@ -154,6 +150,14 @@ public:
   {
     m_storage.reset();
     attach();
+  }
+
+  // Makes this structure run on a storage that another object owns. Copies have their own.
+  void run_on(Storage& storage, int dimension) noexcept
+  {
+    m_storage = std::shared_ptr<Storage>(std::shared_ptr<void>(), &storage); // does not delete it
+    attach();
+    this->set_dimension(dimension);
   }
   /// \endcond
 
@@ -172,7 +176,7 @@ public:
   void clear()
   {
     if (!m_storage)
-      m_storage = std::make_unique<Storage>();
+      m_storage = std::make_shared<Storage>();
     attach();
     Base::clear();
   }
@@ -209,35 +213,13 @@ public:
                          const ConvertVertex& convert_vertex, const ConvertFace& convert_face)
   {
     Indexed_triangulation_data_structure_2 copy;
-    const std::size_t vertices = other.number_of_vertices();
-    const std::size_t faces = other.faces().size();
-    copy.vertices().reserve(vertices);
-    copy.faces().reserve(faces);
-    Unique_hash_map<typename OtherTds::Vertex_handle, Vertex_handle> copy_of_vertex(Vertex_handle(),
-                                                                                    vertices);
-    Unique_hash_map<typename OtherTds::Face_handle, Face_handle> copy_of_face(Face_handle(), faces);
-    for (auto w = other.vertices().begin(); w != other.vertices().end(); ++w) {
-      const Vertex_handle to = copy_of_vertex[w] = copy.create_vertex();
-      convert_vertex(*w, *to);
-    }
-    for (auto f = other.faces().begin(); f != other.faces().end(); ++f)
-      copy_of_face[f] = copy.create_face();
-    for (auto f = other.faces().begin(); f != other.faces().end(); ++f) {
-      const Face_handle to = copy_of_face[f];
-      for (int i = 0; i < 3; ++i) {
-        if (f->vertex(i) != typename OtherTds::Vertex_handle())
-          to->set_vertex(i, copy_of_vertex[f->vertex(i)]);
-        if (f->neighbor(i) != typename OtherTds::Face_handle())
-          to->set_neighbor(i, copy_of_face[f->neighbor(i)]);
-      }
-      convert_face(*f, *to);
-    }
-    for (auto w = other.vertices().begin(); w != other.vertices().end(); ++w)
-      if (w->face() != typename OtherTds::Face_handle())
-        copy_of_vertex[w]->set_face(copy_of_face[w->face()]);
-    copy.set_dimension(other.dimension());
+    copy.vertices().reserve(other.number_of_vertices());
+    copy.faces().reserve(other.faces().size());
+    const Vertex_handle result =
+        copy.Base::copy_tds(other, v, Converter<Vertex, ConvertVertex>{convert_vertex},
+                            Converter<Face, ConvertFace>{convert_face});
     swap(copy);
-    return v == typename OtherTds::Vertex_handle() ? Vertex_handle() : copy_of_vertex[v];
+    return result;
   }
 
   /// @}
@@ -279,20 +261,36 @@ public:
   std::pair<Vertex_property_map<T>, bool> add_vertex_property(const std::string& name,
                                                               const T& value = T())
   {
-    return m_storage->vertex_properties().template add<T>(name, value);
+    return m_storage->vertex_data().template add<T>(name, value);
   }
   /// adds a property to the faces, as `add_vertex_property()` does to the vertices.
   template <class T>
   std::pair<Face_property_map<T>, bool> add_face_property(const std::string& name,
                                                           const T& value = T())
   {
-    return m_storage->face_properties().template add<T>(name, value);
+    return m_storage->face_data().template add<T>(name, value);
   }
 
   /// @}
 
 private:
-  friend class Dynamic_Delaunay_triangulations_2::internal::Indexed_storage_access_2;
+  // Makes an element, as CGAL's structure demands, and then converts into it.
+  template <class Element, class Convert>
+  struct Converter
+  {
+    template <class From>
+    Element operator()(const From&) const
+    {
+      return Element();
+    }
+    template <class From>
+    void operator()(const From& from, Element& to) const
+    {
+      convert(from, to);
+    }
+
+    const Convert& convert;
+  };
 
   void attach() noexcept
   {
@@ -300,7 +298,7 @@ private:
     this->_faces.attach(m_storage.get());
   }
 
-  std::unique_ptr<Storage> m_storage;
+  std::shared_ptr<Storage> m_storage;
 };
 
 } // namespace CGAL

@@ -31,6 +31,7 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <new>
 #include <random>
 #include <set>
 #include <sstream>
@@ -695,6 +696,73 @@ TEST(Triangulation_state, keeps_properties_through_frames_insertions_removals_an
   dt.read_checkpoint(file);
   EXPECT_EQ(id_of[dt.vertex(3)], -1); // the vertices are new
   ASSERT_TRUE(dt.is_valid(true));
+}
+
+// A value that can be moved; copies fail when no more are left.
+struct Rarely_copied
+{
+  static inline int copies_left = 1 << 30;
+  static int copied(int value)
+  {
+    if (copies_left == 0)
+      throw std::bad_alloc();
+    --copies_left;
+    return value;
+  }
+
+  explicit Rarely_copied(int v = -1)
+    : value(v)
+  {
+  }
+  Rarely_copied(const Rarely_copied& other)
+    : value(copied(other.value))
+  {
+  }
+  Rarely_copied(Rarely_copied&& other) noexcept = default;
+  Rarely_copied& operator=(Rarely_copied other) noexcept
+  {
+    value = other.value;
+    return *this;
+  }
+
+  int value;
+};
+
+// Calls change(triangulation), where values can be copied 0, 1, 2, ... times, until it succeeds.
+template <class Change>
+void expect_unchanged_unless_values_are_copied(const Change& change)
+{
+  const Points points = random_points(60, 45);
+  for (int copies = 0, succeeds = 0; succeeds == 0; ++copies) {
+    CGAL::Dynamic_Delaunay_triangulation_2<Kernel> dt(points);
+    const auto value_of = dt.add_vertex_property<Rarely_copied>("value").first;
+    dt.add_face_property<Rarely_copied>("value");
+    for (std::size_t id = 0; id < points.size(); ++id)
+      value_of[dt.vertex(id)].value = int(id);
+    Rarely_copied::copies_left = copies;
+    try {
+      change(dt);
+      succeeds = 1;
+    } catch (const std::bad_alloc&) {
+    }
+    Rarely_copied::copies_left = 1 << 30;
+    ASSERT_TRUE(dt.is_valid(true));
+    for (const auto v : dt.tds().vertex_handles())
+      if (v != dt.infinite_vertex())
+        ASSERT_EQ(value_of[v].value, dt.id(v) < points.size() ? int(dt.id(v)) : -1);
+  }
+}
+
+TEST(Triangulation_state, changes_nothing_if_values_of_users_cannot_be_copied)
+{
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel>;
+  const std::vector<std::size_t> going{3, 7, 20};
+  const Points others = random_points(300, 46);
+  expect_unchanged_unless_values_are_copied(
+      [&](Dynamic& dt) { dt.remove(going.begin(), going.end()); });
+  expect_unchanged_unless_values_are_copied([&](Dynamic& dt) { dt.insert(others.front()); });
+  expect_unchanged_unless_values_are_copied(
+      [&](Dynamic& dt) { dt.insert(others.begin(), others.end()); });
 }
 
 } // namespace test_indexed_data_structure

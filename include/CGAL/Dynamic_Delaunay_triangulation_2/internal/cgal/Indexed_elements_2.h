@@ -56,10 +56,14 @@ struct Info_type_2<void>
 };
 
 // A handle and an iterator of vertices or faces. It stays valid when arrays grow, and when a
-// structure is moved or swapped.
+// structure is moved or swapped. It has the element as its private base: nothing else can make an
+// element refer to another one.
 template <class Element>
-class Indexed_handle_2
+class Indexed_handle_2 : Element
 {
+  using Element::m_index;
+  using Element::m_storage;
+
 public:
   using Storage = typename Element::Storage;
   using value_type = Element;
@@ -76,15 +80,15 @@ public:
 
   Indexed_handle_2(std::nullptr_t = nullptr) noexcept {}
   Indexed_handle_2(Storage* storage, Number index) noexcept
-    : m_element(storage, index)
+    : Element(storage, index)
   {
   }
 
   // The number of the element. The next change may give the element another number.
-  Number index() const { return m_element.m_index; }
+  Number index() const { return m_index; }
 
-  Element& operator*() const { return m_element; }
-  Element* operator->() const { return &m_element; }
+  Element& operator*() const { return *operator->(); }
+  Element* operator->() const { return const_cast<Indexed_handle_2*>(this); }
 
   // The number from i on that an element has, or that of the end.
   static Number next(const Storage& s, Number i)
@@ -96,7 +100,7 @@ public:
 
   Indexed_handle_2& operator++()
   {
-    m_element.m_index = next(*m_element.m_storage, m_element.m_index + 1);
+    m_index = next(*m_storage, m_index + 1);
     return *this;
   }
   Indexed_handle_2 operator++(int)
@@ -107,11 +111,10 @@ public:
   }
   Indexed_handle_2& operator--()
   {
-    Number& i = m_element.m_index;
-    i = i == end_index ? Number(Element::size_with_holes(*m_element.m_storage)) : i;
+    m_index = m_index == end_index ? Number(Element::size_with_holes(*m_storage)) : m_index;
     do
-      i = Number(i - 1);
-    while (Element::is_hole(*m_element.m_storage, i));
+      m_index = Number(m_index - 1);
+    while (Element::is_hole(*m_storage, m_index));
     return *this;
   }
   Indexed_handle_2 operator--(int)
@@ -124,7 +127,7 @@ public:
   // Compares the numbers first, because they nearly always decide.
   friend bool operator==(const Indexed_handle_2& a, const Indexed_handle_2& b)
   {
-    return a.index() == b.index() && a.storage() == b.storage();
+    return a.m_index == b.m_index && a.m_storage == b.m_storage;
   }
   friend bool operator!=(const Indexed_handle_2& a, const Indexed_handle_2& b) { return !(a == b); }
   friend bool operator<(const Indexed_handle_2& a, const Indexed_handle_2& b)
@@ -145,10 +148,7 @@ public:
   }
 
 private:
-  const Storage* storage() const { return m_element.m_storage; }
-  std::uint32_t serial() const { return storage() == nullptr ? 0 : storage()->serial(); }
-
-  mutable Element m_element;
+  std::uint32_t serial() const { return m_storage == nullptr ? 0 : m_storage->serial(); }
 };
 
 template <class Storage_>
@@ -162,6 +162,8 @@ public:
   using Face_handle = typename Storage::Face_handle;
 
   using Indexed_element_2<Storage_, Vertex_index>::Indexed_element_2;
+  Indexed_vertex_2() = default;
+  Indexed_vertex_2(const Indexed_vertex_2&) = default;
 
   Face_handle face() const
   {
@@ -174,7 +176,7 @@ public:
   Point& point() { return m_storage->point(m_index); }
   void set_point(const Point& p) { m_storage->set_point(m_index, p); }
 
-  decltype(auto) info() const { return m_storage->vertex_info(m_index); }
+  decltype(auto) info() const { return m_storage->vertex_data().info(m_index); }
 
   bool is_valid(bool = false, int = 0) const { return face() != Face_handle(); }
 
@@ -183,40 +185,29 @@ public:
   static std::size_t size(const Storage& s) { return s.number_of_vertices(); }
   static bool is_hole(const Storage& s, Vertex_index v) { return s.is_erased_vertex(v); }
   static Vertex_handle create(Storage& s) { return {&s, s.create_vertex()}; }
-  static Vertex_handle create(Storage& s, const Point& p)
-  {
-    const Vertex_handle v = create(s);
-    v->set_point(p);
-    return v;
-  }
   static Vertex_handle create(Storage& s, const Indexed_vertex_2& other)
   {
     if (other.m_storage == nullptr)
       return create(s);
     const Point p = other.point(); // a copy, because the array of points may grow
-    const Vertex_handle v = create(s, p);
-    if constexpr (!std::is_void_v<typename Storage::Vertex_info>)
-      v->info() = other.info();
+    const Vertex_handle v = create(s);
+    v->set_point(p);
     if (other.m_storage == &s)
-      s.vertex_properties().copy(other.m_index, v.index());
+      s.vertex_data().copy(other.m_index, v.index());
+    else if constexpr (!std::is_void_v<typename Storage::Vertex_info>)
+      v->info() = other.info();
     return v;
   }
   static void erase(Storage& s, Vertex_index v) { s.erase_vertex(v); }
   static void clear(Storage& s) { s.clear_vertices(); }
   static void reserve(Storage& s, std::size_t number) { s.reserve_vertices(number); }
 
-private:
-  template <class Element>
-  friend class Indexed_handle_2;
-  using Indexed_element_2<Storage_, Vertex_index>::m_storage; // accessible to the handle, a friend
+protected:
   using Indexed_element_2<Storage_, Vertex_index>::m_index;
+  using Indexed_element_2<Storage_, Vertex_index>::m_storage;
 
-  // Private, because it would make a handle refer to another vertex.
+  // Protected, because it makes a handle refer to another vertex.
   Indexed_vertex_2& operator=(const Indexed_vertex_2&) = default;
-
-public:
-  Indexed_vertex_2(const Indexed_vertex_2&) = default;
-  Indexed_vertex_2() = default;
 };
 
 template <class Storage_>
@@ -230,6 +221,8 @@ public:
   using Face_handle = typename Storage::Face_handle;
 
   using Indexed_element_2<Storage_, Face_index>::Indexed_element_2;
+  Indexed_face_2() = default;
+  Indexed_face_2(const Indexed_face_2&) = default;
 
   Vertex_handle vertex(int i) const
   {
@@ -303,7 +296,7 @@ public:
     return i;
   }
 
-  decltype(auto) info() const { return m_storage->face_info(m_index); }
+  decltype(auto) info() const { return m_storage->face_data().info(m_index); }
 
   bool is_valid(bool = false, int = 0) const { return true; }
 
@@ -334,9 +327,8 @@ public:
     if (other.m_storage == &s) {
       f->set_vertices(other.vertex(0), other.vertex(1), other.vertex(2));
       f->set_neighbors(other.neighbor(0), other.neighbor(1), other.neighbor(2));
-      s.face_properties().copy(other.m_index, f.index());
-    }
-    if constexpr (!std::is_void_v<typename Storage::Face_info>)
+      s.face_data().copy(other.m_index, f.index());
+    } else if constexpr (!std::is_void_v<typename Storage::Face_info>)
       if (other.m_storage != nullptr)
         f->info() = other.info();
     return f;
@@ -345,15 +337,14 @@ public:
   static void clear(Storage& s) { s.clear_faces(); }
   static void reserve(Storage& s, std::size_t number) { s.reserve_faces(number); }
 
-private:
-  template <class Element>
-  friend class Indexed_handle_2;
-  using Indexed_element_2<Storage_, Face_index>::m_storage; // accessible to the handle, a friend
+protected:
   using Indexed_element_2<Storage_, Face_index>::m_index;
+  using Indexed_element_2<Storage_, Face_index>::m_storage;
 
-  // Private, because it would make a handle refer to another face.
+  // Protected, because it makes a handle refer to another face.
   Indexed_face_2& operator=(const Indexed_face_2&) = default;
 
+private:
   Halfedge_index halfedge(int i) const
   {
     CGAL_precondition(i >= 0 && i <= 2);
@@ -388,10 +379,6 @@ private:
     CGAL_assertion(is(i));
     return i;
   }
-
-public:
-  Indexed_face_2(const Indexed_face_2&) = default;
-  Indexed_face_2() = default;
 };
 
 // No combinatorial information is read or written, as with CGAL's bases.

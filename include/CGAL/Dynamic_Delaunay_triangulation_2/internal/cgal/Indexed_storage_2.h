@@ -8,196 +8,21 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/cgal/User_data_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Writable_halfedge_arrays_2.h>
-#include <CGAL/Surface_mesh/Properties.h>
 
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <new>
-#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
-
-// User data at vertices or faces, in arrays with one value for each element of the storage. Users
-// access the values by handles of type `Handle`.
-template <class Handle>
-class Indexed_properties_2
-{
-public:
-  // A property map from handles to values. It refers to an array that the storage owns.
-  template <class T>
-  class Map
-  {
-    using Array = Properties::Property_array<T>;
-
-  public:
-    using key_type = Handle;
-    using value_type = T;
-    using reference = typename Array::reference;
-    using category = boost::lvalue_property_map_tag;
-
-    explicit Map(Array* array = nullptr)
-      : m_array(array)
-    {
-    }
-
-    reference operator[](const Handle& h) const { return (*m_array)[h.index()]; }
-
-    friend reference get(const Map& map, const Handle& h) { return map[h]; }
-    friend void put(const Map& map, const Handle& h, const T& value) { map[h] = value; }
-
-  private:
-    Array* m_array;
-  };
-
-  // Tells Property_container the type of its maps.
-  template <class Key, class T>
-  struct Get_property_map
-  {
-    using type = Map<T>;
-  };
-
-  // Returns the property with this name, and whether it is new. A new one has `value` everywhere.
-  template <class T>
-  std::pair<Map<T>, bool> add(const std::string& name, const T& value)
-  {
-    const auto added = m_arrays.template add<T>(name, value);
-    return {added.first, added.second};
-  }
-
-  // Makes room for so many more elements. Then append() throws only what copying a value throws.
-  void reserve_extra(std::size_t number)
-  {
-    if (m_arrays.capacity() < m_arrays.size() + number)
-      m_arrays.reserve(2 * m_arrays.size() + number);
-  }
-  void reserve(std::size_t number) { m_arrays.reserve(number); }
-  void append() { m_arrays.push_back(); }
-  void resize(std::size_t number) { m_arrays.resize(number); }
-  void reset(Index i) { m_arrays.reset(i); }
-
-  void move_last_to(Index i)
-  {
-    const std::size_t last = m_arrays.size() - 1;
-    if (i != last)
-      m_arrays.swap(i, last);
-    m_arrays.resize(last);
-  }
-
-  // Copies the values of element `from` to element `to` of the same storage.
-  void copy(Index from, Index to)
-  {
-    if (m_arrays.n_properties() > 0)
-      m_arrays.transfer(m_arrays, from, to);
-  }
-
-  bool empty() const { return m_arrays.n_properties() == 0; }
-
-  // Returns what renumber() needs, and reserves memory for it.
-  template <class Number>
-  Indexed_properties_2 prepare(const std::vector<Number>& before)
-  {
-    reserve(before.size());
-    return *this;
-  }
-  // Renumbers the values: the element with number i had the number before[i], or is new if that is
-  // `null_index`. Throws only what copying a value throws.
-  template <class Number>
-  void renumber(const Indexed_properties_2& prepared, const std::vector<Number>& before)
-  {
-    m_arrays.resize(before.size());
-    if (empty())
-      return;
-    for (Index i = 0; i < Index(before.size()); ++i)
-      if (before[i] == null_index)
-        m_arrays.reset(i);
-      else
-        m_arrays.transfer(prepared.m_arrays, before[i], i);
-  }
-
-private:
-  using Container = Properties::Property_container<Indexed_properties_2, Handle>;
-
-  Container m_arrays;
-};
-
-// All that users keep at vertices or faces: properties, and the values of `info()`.
-template <class Handle, class Info>
-class User_data_2 : public Indexed_properties_2<Handle>
-{
-  static_assert(!std::is_same_v<Info, bool>, "take char: there are no references to single bits");
-  using Properties = Indexed_properties_2<Handle>;
-
-public:
-  Info& info(Index i) { return m_infos[i]; }
-  bool empty() const { return false; }
-
-  void reserve(std::size_t number)
-  {
-    Properties::reserve(number);
-    m_infos.reserve(number);
-  }
-  void reserve_extra(std::size_t number)
-  {
-    Properties::reserve_extra(number);
-    internal::reserve_extra(m_infos, number);
-  }
-  void append()
-  {
-    Properties::append();
-    m_infos.emplace_back();
-  }
-  void resize(std::size_t number)
-  {
-    Properties::resize(number);
-    m_infos.resize(number);
-  }
-  void reset(Index i)
-  {
-    Properties::reset(i);
-    m_infos[i] = Info();
-  }
-  void move_last_to(Index i)
-  {
-    Properties::move_last_to(i);
-    if (i + std::size_t(1) != m_infos.size())
-      m_infos[i] = std::move(m_infos.back());
-    m_infos.pop_back();
-  }
-
-  template <class Number>
-  User_data_2 prepare(const std::vector<Number>& before)
-  {
-    User_data_2 prepared;
-    static_cast<Properties&>(prepared) = Properties::prepare(before);
-    prepared.m_infos.resize(before.size());
-    for (std::size_t i = 0; i < before.size(); ++i)
-      if (before[i] != null_index)
-        prepared.m_infos[i] = m_infos[before[i]];
-    return prepared;
-  }
-  template <class Number>
-  void renumber(User_data_2& prepared, const std::vector<Number>& before)
-  {
-    Properties::renumber(prepared, before);
-    m_infos.swap(prepared.m_infos);
-  }
-
-private:
-  std::vector<Info> m_infos;
-};
-
-template <class Handle>
-class User_data_2<Handle, void> : public Indexed_properties_2<Handle>
-{
-};
 
 template <class Element>
 class Indexed_handle_2;
@@ -208,7 +33,8 @@ class Indexed_face_2;
 
 // All that an `Indexed_triangulation_data_structure_2` consists of, except its dimension: vertices
 // and faces as rows of arrays. Handles hold its address, which does not change when structures are
-// moved and swapped.
+// moved and swapped. It belongs to the state of a dynamic triangulation, on whose arrays CGAL's
+// triangulation runs; or to a structure alone, as all copies do.
 //
 // It has two kinds of writers. CGAL's algorithms write through handles: the three vertices and the
 // three neighbors of a face, and the face of a vertex. Then erased elements leave holes, a twin or
@@ -226,8 +52,8 @@ public:
   using Face = Indexed_face_2<Indexed_storage_2>;
   using Vertex_handle = Indexed_handle_2<Vertex>;
   using Face_handle = Indexed_handle_2<Face>;
-  using Vertex_properties = Indexed_properties_2<Vertex_handle>;
-  using Face_properties = Indexed_properties_2<Face_handle>;
+  using Vertex_data = User_data_2<Vertex_handle, Vertex_info>;
+  using Face_data = User_data_2<Face_handle, Face_info>;
 
   static constexpr bool points_are_two_doubles = is_two_doubles<Point>;
   using Stored_point = std::conditional_t<points_are_two_doubles, Position_2, Point>;
@@ -235,38 +61,24 @@ public:
 
   Indexed_storage_2() = default;
   // A copy has no numbers of edges.
-  Indexed_storage_2(const Indexed_storage_2& other)
-    : m_arrays(other.m_arrays, Halfedge_arrays_2::Without_edges())
-    , m_points(other.m_points)
-    , m_vertex_data(other.m_vertex_data)
-    , m_face_data(other.m_face_data)
-    , m_free_vertices(other.m_free_vertices)
-    , m_free_faces(other.m_free_faces)
-    , m_erased_vertices(other.m_erased_vertices)
-    , m_erased_faces(other.m_erased_faces)
-  {
-  }
+  Indexed_storage_2(const Indexed_storage_2&) = default;
   Indexed_storage_2& operator=(const Indexed_storage_2&) = delete;
 
   // READING ---------------------------------------------------------------------------------------
 
   const Halfedge_arrays_2& arrays() const { return m_arrays; }
-  const Points& points() const { return m_points; }
-
   const Point& point(Vertex_index v) const { return as_point(m_points[v]); }
   Point& point(Vertex_index v) { return as_point(m_points[v]); }
 
   // A number that no other storage of the program has. Handles are ordered and hashed by it.
-  std::uint32_t serial() const { return m_serial; }
+  std::uint32_t serial() const { return m_serial.number; }
 
   // Whether anything was changed through a handle since this flag was last cleared.
   bool is_written_by_handles() const { return m_is_written_by_handles; }
   void note_written_by_handle() { m_is_written_by_handles = true; }
 
-  Vertex_properties& vertex_properties() { return m_vertex_data; }
-  Face_properties& face_properties() { return m_face_data; }
-  auto& vertex_info(Vertex_index v) { return m_vertex_data.info(v); }
-  auto& face_info(Face_index f) { return m_face_data.info(f); }
+  Vertex_data& vertex_data() { return m_vertex_data; }
+  Face_data& face_data() { return m_face_data; }
 
   Index vertices_with_holes() const { return m_arrays.number_of_vertices(); }
   Index faces_with_holes() const { return m_arrays.faces_with_holes(); }
@@ -288,17 +100,16 @@ public:
     note_written_by_handle();
     if (!m_free_vertices.empty()) {
       const Vertex_index v = m_free_vertices.back();
+      m_vertex_data.reset(v);
       m_free_vertices.pop_back();
       --m_erased_vertices;
       m_arrays.m_corner[v] = null_index;
-      m_vertex_data.reset(v);
       return v;
     }
     reserve_extra(m_points, 1);
     reserve_extra(m_arrays.m_corner, 1);
-    m_vertex_data.reserve_extra(1);
+    m_vertex_data.resize(m_points.size() + 1);
     m_points.emplace_back();
-    m_vertex_data.append();
     m_arrays.m_corner.push_back(null_index);
     return Vertex_index(m_arrays.m_corner.size() - 1);
   }
@@ -310,14 +121,13 @@ public:
     Face_index f;
     if (!m_free_faces.empty()) {
       f = m_free_faces.back();
+      m_face_data.reset(f);
       m_free_faces.pop_back();
       --m_erased_faces;
-      m_face_data.reset(f);
     } else {
       f = Face_index(faces_with_holes());
       reserve_extra(m_arrays.m_halfedges, 3);
-      m_face_data.reserve_extra(1);
-      m_face_data.append();
+      m_face_data.resize(f + std::size_t(1));
       m_arrays.m_halfedges.resize(m_arrays.m_halfedges.size() + 3);
     }
     for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(f))
@@ -366,7 +176,7 @@ public:
   void set_point(Vertex_index v, const Point& p)
   {
     note_written_by_handle();
-    store(m_points[v], p);
+    point(v) = p;
   }
 
   void clear_vertices() noexcept
@@ -412,9 +222,9 @@ public:
         vertices_with_holes(), [this](Vertex_index v) { return is_erased_vertex(v); });
     const auto [faces_before, new_face] = numbers_without_holes<Face_index>(
         faces_with_holes(), [this](Face_index f) { return is_erased_face(f); });
-    auto face_data = m_face_data.prepare(faces_before);
-    auto vertex_data = m_vertex_data.prepare(vertices_before);
-    m_arrays.drop_edges(); // nothing throws from here on, unless copying a point or a value does
+    const auto face_data = m_face_data.prepare(faces_before);
+    const auto vertex_data = m_vertex_data.prepare(vertices_before);
+    m_arrays.drop_edges(); // nothing throws from here on, unless copying a point does
     for (Vertex_index v(0); v < Index(vertices_before.size()); ++v) {
       m_points[v] = std::move(m_points[vertices_before[v]]);
       m_arrays.m_corner[v] = with_face(m_arrays.corner(vertices_before[v]), new_face);
@@ -443,8 +253,6 @@ public:
 
   Writable_halfedge_arrays_2& writable_arrays() { return m_arrays; }
   Points& writable_points() { return m_points; }
-  User_data_2<Vertex_handle, Vertex_info>& vertex_data() { return m_vertex_data; }
-  User_data_2<Face_handle, Face_info>& face_data() { return m_face_data; }
   void note_written_by_editor() { m_is_written_by_handles = false; }
 
   void reserve_data(std::size_t vertices, std::size_t faces)
@@ -464,17 +272,17 @@ public:
   void copy(const Indexed_storage_2& other)
   {
     CGAL_precondition(!other.has_holes());
-    m_arrays = other.m_arrays;
+    writable_arrays() = static_cast<const Writable_halfedge_arrays_2&>(other.m_arrays);
     m_points = other.m_points;
-    m_vertex_data = other.m_vertex_data;
-    m_face_data = other.m_face_data;
+    Vertex_data(other.m_vertex_data).swap(m_vertex_data);
+    Face_data(other.m_face_data).swap(m_face_data);
     m_is_written_by_handles = other.m_is_written_by_handles;
   }
 
   // Exchanges points and arrays with another storage. Then all user data are as in new elements.
   void exchange(Indexed_storage_2& other)
   {
-    std::swap(m_arrays, other.m_arrays);
+    std::swap(writable_arrays(), other.writable_arrays());
     m_points.swap(other.m_points);
     resize_data(0, 0);
     resize_data(m_points.size(), m_arrays.faces_with_holes());
@@ -482,12 +290,33 @@ public:
   }
 
 private:
-  // CGAL's algorithms write single members of the arrays.
+  // CGAL's algorithms write single members of the arrays. A copy has no numbers of edges.
   struct Arrays : Writable_halfedge_arrays_2
   {
     using Writable_halfedge_arrays_2::m_corner;
     using Writable_halfedge_arrays_2::m_halfedges;
-    using Writable_halfedge_arrays_2::Writable_halfedge_arrays_2;
+
+    Arrays() = default;
+    Arrays(const Arrays& other)
+      : Writable_halfedge_arrays_2()
+    {
+      m_halfedges = other.m_halfedges;
+      m_corner = other.m_corner;
+    }
+  };
+
+  struct Serial
+  {
+    Serial() = default;
+    Serial(const Serial&) {} // of a copy it is another one
+
+    static std::uint32_t next()
+    {
+      static std::atomic<std::uint32_t> last{0};
+      return ++last;
+    }
+
+    const std::uint32_t number = next();
   };
 
   static constexpr Index erased_index = null_index - 1;
@@ -497,9 +326,6 @@ private:
   // Such a point is two doubles and nothing else; all accesses to `Position_2` may alias.
   static const Point& as_point(const Position_2& p) { return reinterpret_cast<const Point&>(p); }
   static Point& as_point(Position_2& p) { return reinterpret_cast<Point&>(p); }
-
-  static void store(Point& stored, const Point& p) { stored = p; }
-  static void store(Position_2& stored, const Point& p) { stored = {p.x(), p.y()}; }
 
   template <class Number>
   static void append_if_possible(std::vector<Number>& list, Number i) noexcept
@@ -532,34 +358,29 @@ private:
                                                             Halfedge_arrays_2::place_of(h));
   }
 
-  static std::uint32_t next_serial()
-  {
-    static std::atomic<std::uint32_t> last{0};
-    return ++last;
-  }
-
   Arrays m_arrays;
   Points m_points;
-  User_data_2<Vertex_handle, Vertex_info> m_vertex_data;
-  User_data_2<Face_handle, Face_info> m_face_data;
+  Vertex_data m_vertex_data;
+  Face_data m_face_data;
   std::vector<Vertex_index> m_free_vertices; // holes to be filled, the last one first
   std::vector<Face_index> m_free_faces;      // likewise
   std::size_t m_erased_vertices = 0, m_erased_faces = 0;
   bool m_is_written_by_handles = false;
-  const std::uint32_t m_serial = next_serial();
+  Serial m_serial;
 };
 
-// The way to the storage of a data structure that is not constant, as only the owner of a
-// triangulation has it.
-class Indexed_storage_access_2
+// Returns a triangulation of CGAL that runs on a storage of the caller: an empty one, or one of
+// this dimension whose vertex 0 is at infinity.
+template <class Triangulation, class Storage>
+Triangulation triangulation_on(Storage& storage, const typename Triangulation::Geom_traits& traits,
+                               int dimension = -2)
 {
-public:
-  template <class Tds>
-  static typename Tds::Storage& storage(Tds& tds)
-  {
-    return *tds.m_storage;
-  }
-};
+  Triangulation result(traits);
+  auto& tds = result.tds();
+  tds.run_on(storage, dimension);
+  result.set_infinite_vertex(dimension == -2 ? tds.insert_first() : tds.vertex_handle(0));
+  return result;
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 

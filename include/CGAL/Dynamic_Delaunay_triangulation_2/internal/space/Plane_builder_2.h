@@ -156,14 +156,12 @@ public:
   {
     bool all_arrived = false;
     write_all_anew([&] {
-      Triangulation copy(m_state.traits());
-      Storage& storage = Indexed_storage_access_2::storage(copy.tds());
-      storage.copy(m_storage);
-      storage.writable_arrays().drop_edges();
+      Storage storage(m_storage);
       storage.writable_points() = m_positions.previous_points();
-      copy.tds().set_dimension(m_state.triangulation().dimension());
+      Triangulation copy = triangulation_on<Triangulation>(storage, m_state.traits(),
+                                                           m_state.triangulation().dimension());
       all_arrived = relocate_one_by_one(copy, relocated);
-      take_arrays(copy);
+      take_arrays(storage, copy.dimension());
       m_positions.forget_previous();
     });
     return all_arrived;
@@ -262,19 +260,18 @@ private:
     return waiting.empty();
   }
 
-  // Takes over the faces of a triangulation that CGAL's algorithms have made of vertices with the
-  // same numbers. If this throws, nothing has changed.
-  void take_arrays(Triangulation& other)
+  // Takes over the faces that CGAL's algorithms have made of vertices with the same numbers. If
+  // this throws, nothing has changed.
+  void take_arrays(Storage& storage, int dimension)
   {
-    Storage& storage = Indexed_storage_access_2::storage(other.tds());
     storage.collect_garbage(); // at most the last vertex, which CGAL has used for a time
     Writable_halfedge_arrays_2& arrays = storage.writable_arrays();
     CGAL_assertion(arrays.number_of_vertices() == m_state.positions().size());
-    if (other.dimension() == 2)
+    if (dimension == 2)
       arrays.template number_from_neighbors<Parts>();
     m_storage.reserve_data(0, arrays.faces_with_holes());
     std::swap(m_arrays, arrays); // nothing throws from here on
-    set_dimension(other.dimension());
+    set_dimension(dimension);
     finish_faces();
   }
 
@@ -310,7 +307,7 @@ private:
         ids.number_of_representatives(),
         [this](Vertex_index v) -> const Point& { return m_numbering.point(v); }, points, positions);
     const std::vector<Vertex_index> before = numbers_before();
-    auto data = m_storage.vertex_data().prepare(before);
+    const auto data = m_storage.vertex_data().prepare(before);
     m_numbering.release_points();
     tell_of_going_vertices(ids);
     const auto exchange = [&] {
@@ -395,11 +392,12 @@ private:
   // Triangulates vertices that do not span the plane, by CGAL's insertion.
   void triangulate_line()
   {
-    Triangulation line(m_state.traits());
+    Storage storage;
+    Triangulation line = triangulation_on<Triangulation>(storage, m_state.traits());
     Face_handle last;
     for (Vertex_index v(1); v <= m_state.number_of_vertices(); ++v)
       last = line.insert(m_state.point(v), last)->face();
-    take_arrays(line);
+    take_arrays(storage, line.dimension());
   }
 
   // RESTORING -----------------------------------------------------------------------------------

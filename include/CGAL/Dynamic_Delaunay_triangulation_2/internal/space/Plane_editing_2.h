@@ -19,7 +19,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // What `Topology_editor_2` does in the plane alone: user data follow the numbers of vertices and
 // faces, and the user's visitor is told of each change at once. The builder tells the visitor
 // through it, too. No changes are kept to be told later, so no memory is reserved for that. Only
-// finish_visit(), reserve_for_slot(), append_slot() and operations on users' values can throw.
+// finish_visit(), reserve_for_slot() and renew_vertex() can throw.
 template <class State>
 class Plane_editing_2
 {
@@ -122,18 +122,16 @@ public:
 
   // DATA OF USERS -------------------------------------------------------------------------------
 
-  // Reserves memory for the data of a vertex and two faces. Then append_slot() throws only what
-  // copying a value throws.
+  // Makes the data of a vertex and two faces. Then append_slot() throws nothing.
   void reserve_for_slot()
   {
-    m_writer.storage().vertex_data().reserve_extra(1);
-    m_writer.storage().face_data().reserve_extra(2);
+    m_writer.storage().reserve_data(m_arrays.number_of_vertices() + std::size_t(1),
+                                    m_arrays.number_of_faces() + std::size_t(2));
   }
   void append_slot()
   {
-    m_writer.storage().vertex_data().append();
-    m_writer.storage().face_data().append();
-    m_writer.storage().face_data().append();
+    resize_data(m_arrays.number_of_vertices() + std::size_t(1),
+                m_arrays.number_of_faces() + std::size_t(2));
   }
   void resize_data(std::size_t vertices, std::size_t faces)
   {

@@ -32,7 +32,7 @@ class Plane_builder_2;
 template <class State>
 class Plane_editing_2;
 
-// The open plane: CGAL's triangulation, whose data structure is the arrays themselves, the
+// The open plane: the arrays of a triangulation of it, on which CGAL's triangulation runs, too, the
 // positions of its vertices, and what the kernel asks about them. Vertex 0 is at infinity.
 template <class Traits_, class Tds_>
 class Plane_space_2
@@ -44,8 +44,7 @@ public:
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Face_handle = typename Triangulation::Face_handle;
   using Point = typename Triangulation::Point;
-  using Storage =
-      std::remove_reference_t<decltype(Indexed_storage_access_2::storage(std::declval<Tds&>()))>;
+  using Storage = Indexed_storage_2<Point, typename Tds::Vertex_info, typename Tds::Face_info>;
   using Positions = Positions_2<Point>;
   using Argument = Traits; // from what an empty space is made
 
@@ -70,8 +69,7 @@ public:
   static constexpr bool predicates_are_exact = !Are_known_to_be_inexact_2<Traits>::value;
 
   explicit Plane_space_2(const Traits& traits)
-    : m_triangulation(traits)
-    , m_storage(Indexed_storage_access_2::storage(m_triangulation.tds()))
+    : m_triangulation(triangulation_on<Triangulation>(m_storage, traits))
     , m_positions(m_storage.writable_points())
   {
     m_storage.note_written_by_editor();
@@ -88,11 +86,14 @@ public:
   const Halfedge_arrays_2& arrays() const { return m_storage.arrays(); }
   // Whether the user has changed anything through handles.
   bool is_written_by_handles() const { return m_storage.is_written_by_handles(); }
-  Vertex_handle vertex_handle(Vertex_index v) const { return Vertex_handle(&m_storage, v); }
-  Face_handle face_handle(Face_index f) const { return Face_handle(&m_storage, f); }
+  Vertex_handle vertex_handle(Vertex_index v) const
+  {
+    return m_triangulation.tds().vertex_handle(v);
+  }
+  Face_handle face_handle(Face_index f) const { return m_triangulation.tds().face_handle(f); }
 
-  auto& vertex_properties() { return m_storage.vertex_properties(); }
-  auto& face_properties() { return m_storage.face_properties(); }
+  auto& vertex_properties() { return m_storage.vertex_data(); }
+  auto& face_properties() { return m_storage.face_data(); }
 
   // The number of finite vertices.
   Index number_of_vertices() const { return Index(positions().size()) - 1; }
@@ -276,8 +277,8 @@ private:
     while (++neighbor != first);
   }
 
-  Triangulation m_triangulation;
-  Storage& m_storage; // of m_triangulation's data structure
+  Storage m_storage;
+  Triangulation m_triangulation; // on m_storage
   Writable_positions_2<Point> m_positions;
 };
 

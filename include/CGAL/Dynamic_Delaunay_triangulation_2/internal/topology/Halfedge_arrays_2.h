@@ -33,18 +33,6 @@ namespace internal {
 class Halfedge_arrays_2
 {
 public:
-  struct Without_edges
-  {
-  };
-
-  Halfedge_arrays_2() = default;
-  // A copy whose edges have no numbers.
-  Halfedge_arrays_2(const Halfedge_arrays_2& other, Without_edges)
-    : m_halfedges(other.m_halfedges)
-    , m_corner(other.m_corner)
-  {
-  }
-
   // Without comparisons, for which compilers write branches that processors cannot predict.
   static Halfedge_index next(Halfedge_index h) { return Halfedge_index(h + 1 - 3 * (h % 3 / 2)); }
   static Halfedge_index previous(Halfedge_index h)

@@ -23,8 +23,6 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 class Writable_halfedge_arrays_2 : public Halfedge_arrays_2
 {
 public:
-  using Halfedge_arrays_2::Halfedge_arrays_2;
-
   void drop_edges()
   {
     m_edges.clear();
