@@ -226,11 +226,9 @@ public:
     const Floating_point floating_point;
     m_core.for_each_face([&](Index i, Index j, Index k) {
       const std::array<Id, 3> ids{points().id(i), points().id(j), points().id(k)};
-      if constexpr (Space::is_periodic)
-        f(ids, std::array<typename Space::Shift, 3>{shift_between(i, i), shift_between(i, j),
-                                                    shift_between(i, k)});
-      else
-        f(ids);
+      const std::array<typename Space::Shift, 3> shifts{shift_between(i, i), shift_between(i, j),
+                                                        shift_between(i, k)};
+      Space::show(shifts, [&](const auto&... their) { f(ids, their...); });
     });
   }
 
@@ -396,17 +394,14 @@ private:
   template <class Function, class First>
   void call(const Function& f, First first, Index i, Index j) const
   {
-    if constexpr (Space::is_periodic)
-      f(first, points().id(j), shift_between(i, j));
-    else
-      f(first, points().id(j));
+    Space::show(shift_between(i, j),
+                [&](const auto&... shift) { f(first, points().id(j), shift...); });
   }
 
   // The shift of the image at place j after both are moved to have that at i where it was given.
   typename Space::Shift shift_between(Index i, Index j) const
   {
-    const auto &s = points().shift(i), &t = points().shift(j);
-    return {t[0] - s[0], t[1] - s[1]};
+    return Space::difference(points().shift(j), points().shift(i));
   }
 };
 

@@ -179,8 +179,7 @@ private:
     for (const Weighted_id_2& one : all) {
       next.m_ids.push_back(one.id);
       next.m_weights.push_back(one.weight);
-      if constexpr (Dynamic::Frame::is_periodic)
-        next.m_shifts.push_back(one.shift);
+      At::Geometry::show(one.shift, [&](const auto&... it) { (next.m_shifts.push_back(it), ...); });
     }
     *this = std::move(next);
   }
