@@ -318,7 +318,7 @@ private:
   {
     m_positions.clear();
     const auto add = [this](const Position_2& p) {
-      m_positions.push_back(m_state.place_in_order(p));
+      m_positions.push_back(m_state.position_in_order(p));
     };
     for (const Slot& slot : m_waiting)
       add(m_state.positions()[slot.vertex]);

@@ -236,7 +236,7 @@ public:
     return now - (positions()[v] - previous_position(v));
   }
   // Returns the image of p in the cell, by which p is sorted in space.
-  Position_2 place_in_order(const Position_2& p) const { return m_torus.wrapped(p); }
+  Position_2 position_in_order(const Position_2& p) const { return m_torus.wrapped(p); }
   Image_2 image(const Site& site) const { return {positions()[site.vertex], site.shift}; }
   // NaNs beyond the gap beside a slab.
   Position_2 rounded_position(const Site& site) const

@@ -215,7 +215,7 @@ public:
     return squared_distance(p, q);
   }
   // The position by which p is sorted in a spatial order.
-  static const Position_2& place_in_order(const Position_2& p) { return p; }
+  static const Position_2& position_in_order(const Position_2& p) { return p; }
 
   // SITES AND CHARTS ------------------------------------------------------------------------------
   // A site is a vertex as seen in a chart, which says how a face is seen. In the plane all charts

@@ -43,7 +43,7 @@ constexpr bool answers(const Use&)
   answers<Space>([]([[maybe_unused]] const auto& s, [[maybe_unused]] const auto& v,                \
                     [[maybe_unused]] const auto& h, [[maybe_unused]] const auto& e,                \
                     [[maybe_unused]] const auto& f, [[maybe_unused]] const auto& site,             \
-                    [[maybe_unused]] const auto& chart, [[maybe_unused]] const auto& place,        \
+                    [[maybe_unused]] const auto& chart, [[maybe_unused]] const auto& position,     \
                     [[maybe_unused]] auto& edges,                                                  \
                     [[maybe_unused]] const auto& function) -> decltype(__VA_ARGS__, void()) {})
 
@@ -122,23 +122,24 @@ constexpr bool is_space()
                                               as<Position_2>(s.rounded_position(site))),
                 "are_neighbors(a, b) tells whether an edge connects two sites, "
                 "rounded_position(site) where one is");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<double>(s.rounded_squared_distance(v, v)),
-                                              as<double>(s.rounded_squared_distance(place, place))),
-                "rounded_squared_distance(), of vertices or positions, is that of the nearest "
-                "images");
+  static_assert(
+      CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<double>(s.rounded_squared_distance(v, v)),
+                                    as<double>(s.rounded_squared_distance(position, position))),
+      "rounded_squared_distance(), of vertices or positions, is that of the nearest "
+      "images");
 
   // TIME -----------------------------------------------------------------------------------------
 
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Position_2>(s.previous_position(v)),
-                                              as<Position_2>(s.previous_position_at(v, place))),
+                                              as<Position_2>(s.previous_position_at(v, position))),
                 "previous_position(v) is where the vertex was one frame ago, "
                 "previous_position_at(v, now) the same as seen from the image that is at now");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Position_2>(s.rest_position(v)),
                                               as<bool>(s.have_points_moved())),
                 "rest_position(v) is where the vertex was before its points moved, taken along "
                 "with the cell: there all faces are counterclockwise");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Position_2>(s.place_in_order(place))),
-                "place_in_order(position) is by what points are sorted along a curve");
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Position_2>(s.position_in_order(position))),
+                "position_in_order(position) is by what points are sorted along a curve");
 
   // PROOFS ---------------------------------------------------------------------------------------
 
