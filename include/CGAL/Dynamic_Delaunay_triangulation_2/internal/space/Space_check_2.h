@@ -54,7 +54,7 @@ constexpr bool answers(const Use&)
 // arrays() and positions(), and what only this space keeps. `Editing<State>` keeps that in step
 // with the arrays, and tells visitors by `Visitor_calls`; `Builder<State>` has rebuild(),
 // build_with(), copy() and exchange(). Calls and files have classes of their own, as
-// `Input_frame_2` and `Checkpoint_plane_2`.
+// `Input_frame_2` and `Checkpoint_plane_2`; queries ask `Site_geometry_2`, by the type of sites.
 //
 // A *site* is a vertex as seen from a face, on a torus an image. A *chart* says how the face is
 // seen from there. A plane with circles of its own needs less: traits with their predicates, and
