@@ -69,7 +69,7 @@ private:
 
 // Which types of a subject there are for each classifier, and whether they have checkpoints and
 // checks of validity, which need streams, gradients of bounded cells, domains that are not convex,
-// and queries of places. A binding that must be small has less.
+// and queries of points. A binding that must be small has less.
 struct All_kinds
 {
   static constexpr bool has_populations = true;

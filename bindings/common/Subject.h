@@ -80,13 +80,13 @@ enum class Group {
   CORNERS // triangles without their neighbors
 };
 
-// What is asked of many places at once, or with a squared radius.
+// What is asked of many query points at once, or with a squared radius.
 enum class Query { NEAREST, WITHIN, NATURAL_WEIGHTS, LINEAR_WEIGHTS, ALPHA_SHAPE };
 
 struct Question
 {
   Query query;
-  Rows places{};
+  Rows query_points{};
   double extent = 0; // the radius of WITHIN, the alpha of ALPHA_SHAPE
 };
 

@@ -6,7 +6,7 @@
 
 #include "bindings/common/Array_reading.h"
 #include "bindings/common/Bounded_cells.h"
-#include "bindings/common/Place_queries.h"
+#include "bindings/common/Point_queries.h"
 #include "bindings/common/Row_iterator.h"
 #include "bindings/common/Subject.h"
 

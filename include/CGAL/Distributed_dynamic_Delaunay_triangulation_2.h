@@ -8,8 +8,11 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_triangulation_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_plane_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Input_2.h>
 
 #include <mpi.h>
+
+#include <iterator>
 
 namespace CGAL {
 
@@ -39,6 +42,8 @@ class Distributed_dynamic_Delaunay_triangulation_2
   using Base = Distributed_triangulation_base_2<Space>;
   using Base::m_core;
   using typename Base::Floating_point;
+  template <class Range>
+  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
 
 public:
   /// \name Creation
@@ -68,6 +73,15 @@ public:
   {
     const Floating_point floating_point;
     m_core.begin([] { return Space(); }, first, beyond, load_factor);
+  }
+
+  /// takes the points from a range with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Distributed_dynamic_Delaunay_triangulation_2(MPI_Comm communicator, const Range& range,
+                                               double load_factor = Base::default_load_factor)
+    : Distributed_dynamic_Delaunay_triangulation_2(communicator, std::begin(range), std::end(range),
+                                                   load_factor)
+  {
   }
 
   /// @}

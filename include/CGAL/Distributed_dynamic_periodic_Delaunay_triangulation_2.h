@@ -8,10 +8,13 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/distributed/Distributed_triangulation_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_torus_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
 #include <mpi.h>
+
+#include <iterator>
 
 namespace CGAL {
 
@@ -53,6 +56,8 @@ class Distributed_dynamic_periodic_Delaunay_triangulation_2
   using Base = Distributed_triangulation_base_2<Space>;
   using Base::m_core;
   using typename Base::Floating_point;
+  template <class Range>
+  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
 
 public:
   /// \name Types
@@ -87,6 +92,16 @@ public:
     m_core.begin([&] { return Space(cell); }, first, beyond, load_factor);
   }
 
+  /// takes the points from a range with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Distributed_dynamic_periodic_Delaunay_triangulation_2(
+      MPI_Comm communicator, const Range& range, const Periodic_cell_2& cell,
+      double load_factor = Base::default_load_factor)
+    : Distributed_dynamic_periodic_Delaunay_triangulation_2(communicator, std::begin(range),
+                                                            std::end(range), cell, load_factor)
+  {
+  }
+
   /// @}
   /// \name Motion
   /// @{
@@ -108,6 +123,13 @@ public:
     const Floating_point floating_point;
     const auto make_space = [&] { return Space(cell, m_core.space()); };
     return m_core.update_in(make_space, first, beyond);
+  }
+
+  /// takes the positions from a range with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 update(const Range& range, const Periodic_cell_2& cell)
+  {
+    return update(std::begin(range), std::end(range), cell);
   }
 
   /// @}

@@ -55,6 +55,7 @@ struct Triangulation_types_2<
                                       Triangulation_types_2::is_visitor_heard,
                                       typename Triangulation_types_2::Concurrency_tag>;
   using Input = Periodic_input_2<State>;
+  using Checkpoint = Checkpoint_torus_2<State>;
   static constexpr std::string_view checkpoint_subject =
       "Dynamic_periodic_Delaunay_triangulation_2";
   static constexpr bool is_exact = true; // the predicates are the package's own

@@ -208,7 +208,7 @@ TYPED_TEST(Interpolation_of, natural_neighbors_have_the_weights_that_cgal_finds_
     const auto places = this->places_for(points);
     Weights weights;
     weights.compute_natural_neighbor(dt, places.begin(), places.end());
-    ASSERT_EQ(weights.number_of_places(), places.size());
+    ASSERT_EQ(weights.number_of_query_points(), places.size());
     const Exact_triangulation fresh = exact_triangulation(points);
     const auto where = [&](std::size_t entry) { return exact(dt.point(weights.ids()[entry])); };
     for (std::size_t i = 0; i < places.size(); ++i) {

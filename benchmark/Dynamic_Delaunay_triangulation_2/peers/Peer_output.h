@@ -39,7 +39,7 @@ struct Grid_points
 class Frame_truth
 {
   using Reference = CGAL::Dynamic_Delaunay_triangulations_2::internal::Delaunay_reference_2<
-      run::Static_triangulation, false>;
+      run::Static_triangulation>;
 
 public:
   using Place = Reference::Site;

@@ -13,7 +13,7 @@ from ._triangulations import CellMeasures, DynamicDelaunay, PeriodicDelaunay, Pe
 from .bounded import BoundedCellGradients, BoundedCells, CellPieces, CellSurface, Side
 from .errors import *  # noqa: F403
 from .neighbors import NeighborList
-from .places import AlphaClass, AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
+from .queries import AlphaClass, AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
 from .recording import RecordedFrame, read_recording
 from .trajectory import Frame, track
 

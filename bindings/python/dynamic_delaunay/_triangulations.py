@@ -24,7 +24,7 @@ from .errors import (
     UnknownIdError,
 )
 from .neighbors import NeighborList
-from .places import AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
+from .queries import AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
 
 Classifier = Union[str, Callable[[ClassifierFrame], Any]]
 Self = TypeVar("Self", bound="_Triangulation")
@@ -277,20 +277,20 @@ class _Triangulation(_core.Triangulation):
             raise _nothing_bounds_cells(has_domains=not isinstance(self, _Periodic))
         return BoundedCells(self, self._bounded_cells(one, radius, rings_of(domain), rule))
 
-    def nearest(self, places: ArrayLike) -> NearestPoints:
-        """The nearest point of each place: rows, distances and shifts, for places (m, 2), or one, (2,). Decided
-        exactly. Cost: about n**(1/3) for each place; less if it is near the last one.
+    def nearest(self, query_points: ArrayLike) -> NearestPoints:
+        """The nearest point of each query point: rows, distances and shifts, for query points (m, 2), or one, (2,).
+        Decided exactly. Cost: about n**(1/3) for each query point; less if it is near the last one.
 
-        NonFiniteCoordinateError if a place is not finite; its ``id`` is the number of the place."""
-        return NearestPoints(*self._answer(Query.NEAREST, _rows(places), 0.0))
+        NonFiniteCoordinateError if a query point is not finite; its ``id`` is the number of the query point."""
+        return NearestPoints(*self._answer(Query.NEAREST, _rows(query_points), 0.0))
 
     def _lists(
-        self, query: Query, places: ArrayLike, extent: float = 0.0
+        self, query: Query, query_points: ArrayLike, extent: float = 0.0
     ) -> tuple[tuple[NDArray[Any], ...], tuple[int, int]]:
-        """What is found for each place, and the numbers of places and rows."""
+        """What is found for each query point, and the numbers of query points and rows."""
         while True:
             rows = self._number_of_rows
-            arrays = self._answer(query, _rows(places), extent)
+            arrays = self._answer(query, _rows(query_points), extent)
             if rows == self._number_of_rows:  # else another thread has changed the triangulation in between
                 return arrays, (len(arrays[0]) - 1, rows)
 
@@ -298,33 +298,35 @@ class _Triangulation(_core.Triangulation):
     def _number_of_rows(self) -> int:
         return self.number_of_points if isinstance(self, _ByIds) else self.number_of_ids
 
-    def within(self, places: ArrayLike, radius: float) -> PointsWithin:
-        """All points within a radius of each place, as lists one after the other, for places (m, 2), or one, (2,).
-        Those on the circle belong to it. In periodic space these are images, of which one point may have several.
+    def within(self, query_points: ArrayLike, radius: float) -> PointsWithin:
+        """All points within a radius of each query point, as lists one after the other, for query points (m, 2), or
+        one, (2,). Those on the circle belong to it. In periodic space these are images, of which one point may have
+        several.
 
         A point that is farther than the radius by less than 2**-52 of it may be in the list. Around points, as
         ``within(triangulation.points, radius)``, each finds itself as well. Cost: that of ``nearest()``, plus the
         number of points that are found.
 
-        NonFiniteCoordinateError if a place is not finite; InputValueError if the radius is negative or NaN, or if it is
+        NonFiniteCoordinateError if a query point is not finite; InputValueError if the radius is negative or NaN, or
         so large, compared to a periodic cell, that 32 bits could not count the images."""
-        (indptr, indices, distances, shifts), shape = self._lists(Query.WITHIN, places, _extent("the radius", radius))
+        extent = _extent("the radius", radius)
+        (indptr, indices, distances, shifts), shape = self._lists(Query.WITHIN, query_points, extent)
         return PointsWithin(indptr, indices, distances, shifts, shape)
 
-    def interpolation_weights(self, places: ArrayLike, method: str = "natural") -> InterpolationWeights:
-        """The weights by which values at the points are interpolated at places (m, 2), or one, (2,). By ``"natural"``
-        they are Sibson's, of natural neighbors, smooth except at the points; by ``"linear"`` the barycentric
-        coordinates in the triangle.
+    def interpolation_weights(self, query_points: ArrayLike, method: str = "natural") -> InterpolationWeights:
+        """The weights by which values at the points are interpolated at query points (m, 2), or one, (2,). By
+        ``"natural"`` they are Sibson's, of natural neighbors, smooth except at the points; by ``"linear"`` the
+        barycentric coordinates in the triangle.
 
         The weights hold for any values, so they are computed once for many: ``weights.interpolate(values)`` has the
-        values at the places. Of points that coincide, only the one that represents them has weights. Cost: that of
-        ``nearest()``.
+        values at the query points. Of points that coincide, only the one that represents them has weights. Cost: that
+        of ``nearest()``.
 
-        NonFiniteCoordinateError if a place is not finite; InputValueError if there is no such method."""
+        NonFiniteCoordinateError if a query point is not finite; InputValueError if there is no such method."""
         queries = {"natural": Query.NATURAL_WEIGHTS, "linear": Query.LINEAR_WEIGHTS}
         if not isinstance(method, str) or method not in queries:
             raise InputValueError(f"the method is {method!r}: it must be 'natural' or 'linear'")
-        (indptr, indices, weights, shifts), shape = self._lists(queries[method], places)
+        (indptr, indices, weights, shifts), shape = self._lists(queries[method], query_points)
         return InterpolationWeights(indptr, indices, weights, shifts, shape)
 
     def alpha_shape(self, alpha: float) -> AlphaShape:
@@ -462,11 +464,11 @@ class _Planar(_Triangulation):
         at = np.arange(len(triangle))
         return np.column_stack([corners[at, (opposite + 1) % 3], corners[at, (opposite + 2) % 3]])
 
-    def find_simplex(self, places: ArrayLike) -> Union[int, NDArray[np.int32]]:
-        """int32 (m,) for places (m, 2), an int for one place (2,): the triangle in which each place is, boundary
-        included; -1 outside of all. Decided exactly. Cost: about n**(1/3) for each place."""
-        found = self._find_simplex(_rows(places))
-        return int(found[0]) if np.ndim(places) == 1 and len(found) == 1 else found
+    def find_simplex(self, query_points: ArrayLike) -> Union[int, NDArray[np.int32]]:
+        """int32 (m,) for query points (m, 2), an int for one, (2,): the triangle in which each of them is, boundary
+        included; -1 outside of all. Decided exactly. Cost: about n**(1/3) for each query point."""
+        found = self._find_simplex(_rows(query_points))
+        return int(found[0]) if np.ndim(query_points) == 1 and len(found) == 1 else found
 
     def clipped_cells(self, box: ArrayLike) -> CellMeasures:
         """Measures of the parts of the Voronoi cells inside a box (xmin, ymin, xmax, ymax). Cells of the hull are

@@ -15,8 +15,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 
-// Walks through edges that have the place on their other side. In a Delaunay triangulation this
-// ends, since distances from the place to the circles, as powers, decrease.
+// Walks through edges that have the query point on their other side. In a Delaunay triangulation
+// this ends, since distances from the query point to the circles, as powers, decrease.
 class Triangle_walk
 {
 public:
@@ -26,14 +26,14 @@ public:
   {
   }
 
-  std::int32_t operator()(const Point& place)
+  std::int32_t operator()(const Point& query_point)
   {
     if (m_triangles.size == 0) {
       return -1;
     }
-    for (std::int32_t t = start(place);;) {
+    for (std::int32_t t = start(query_point);;) {
       m_last = std::size_t(t);
-      const int side = side_towards(place, m_last);
+      const int side = side_towards(query_point, m_last);
       if (side < 0) {
         return t;
       }
@@ -52,12 +52,12 @@ private:
   }
 
   // The last triangle, or one of n^(1/3) others: that which is nearest.
-  std::int32_t start(const Point& place) const
+  std::int32_t start(const Point& query_point) const
   {
     std::size_t nearest = m_last;
-    double square = CGAL::squared_distance(corner(nearest, 0), place);
+    double square = CGAL::squared_distance(corner(nearest, 0), query_point);
     for (std::size_t t = 0; t < m_triangles.size; t += m_step) {
-      const double other = CGAL::squared_distance(corner(t, 0), place);
+      const double other = CGAL::squared_distance(corner(t, 0), query_point);
       if (other < square) {
         nearest = t;
         square = other;
@@ -66,11 +66,11 @@ private:
     return std::int32_t(nearest);
   }
 
-  // The corner whose opposite edge has the place strictly on its other side, or -1.
-  int side_towards(const Point& place, std::size_t t) const
+  // The corner whose opposite edge has the query point strictly on its other side, or -1.
+  int side_towards(const Point& query_point, std::size_t t) const
   {
     for (std::size_t k = 0; k < 3; ++k) {
-      if (CGAL::orientation(corner(t, k + 1), corner(t, k + 2), place) == CGAL::RIGHT_TURN) {
+      if (CGAL::orientation(corner(t, k + 1), corner(t, k + 2), query_point) == CGAL::RIGHT_TURN) {
         return int(k);
       }
     }
@@ -84,13 +84,13 @@ private:
 
 } // namespace
 
-std::vector<std::int32_t> triangles_at(const Rows& places, const Flat_triangles& triangles)
+std::vector<std::int32_t> triangles_at(const Rows& query_points, const Flat_triangles& triangles)
 {
   Triangle_walk walk(triangles);
   std::vector<std::int32_t> found;
-  found.reserve(places.size);
-  for (std::size_t i = 0; i < places.size; ++i) {
-    const double x = places.at<double>(i, 0), y = places.at<double>(i, 1);
+  found.reserve(query_points.size);
+  for (std::size_t i = 0; i < query_points.size; ++i) {
+    const double x = query_points.at<double>(i, 0), y = query_points.at<double>(i, 1);
     found.push_back(std::isfinite(x) && std::isfinite(y) ? walk(Point(x, y)) : -1);
   }
   return found;

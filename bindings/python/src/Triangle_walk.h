@@ -22,8 +22,8 @@ struct Flat_triangles
   std::size_t size;
 };
 
-// The triangle of each place, with its boundary; -1 outside of all.
-std::vector<std::int32_t> triangles_at(const Rows& places, const Flat_triangles& triangles);
+// The triangle of each query point, with its boundary; -1 outside of all.
+std::vector<std::int32_t> triangles_at(const Rows& query_points, const Flat_triangles& triangles);
 
 } // namespace python
 

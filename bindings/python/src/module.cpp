@@ -156,9 +156,9 @@ public:
     return false;
   }
 
-  py::array find_simplex(const py::object& places)
+  py::array find_simplex(const py::object& query_points)
   {
-    const Input input = points_input(places, "places");
+    const Input input = points_input(query_points, "query points");
     py::array points, corners, neighbors;
     bool is_certified = false;
     while (!is_current(corners)) { // another thread may change the triangulation in between
@@ -219,9 +219,9 @@ public:
     }));
   }
 
-  py::tuple answer(Query query, const py::object& places, double extent)
+  py::tuple answer(Query query, const py::object& query_points, double extent)
   {
-    const Input input = points_input(places, "places");
+    const Input input = points_input(query_points, "query points");
     return to_numpy(read([&](const Subject& subject) {
       return subject.answer({query, input.rows, extent});
     }));

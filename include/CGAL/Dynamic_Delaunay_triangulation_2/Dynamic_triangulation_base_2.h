@@ -201,6 +201,7 @@ class Dynamic_triangulation_base_2
   friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
   using Types = Dynamic_Delaunay_triangulations_2::internal::Triangulation_types_2<Derived>;
   using State = typename Types::State;
+  using Checkpoint = typename Types::Checkpoint;
   using Update = Dynamic_Delaunay_triangulations_2::internal::Update_2<State>;
   using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<typename State::Point>;
   using Population_input = Dynamic_Delaunay_triangulations_2::internal::Population_input_2<State>;
@@ -741,7 +742,8 @@ private:
   void write_file(std::ostream& out, std::string_view subject, const Append& append) const
   {
     const Floating_point floating_point;
-    using Writer = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_writer_2<State>;
+    using Writer =
+        Dynamic_Delaunay_triangulations_2::internal::Checkpoint_writer_2<State, Checkpoint>;
     Writer(m_core->state, is_certified(), m_core->update.memory()).write(out, subject, append);
   }
 
@@ -751,7 +753,8 @@ private:
   void read_file(std::istream& in, std::string_view subject, const ReadAppendix& read_more,
                  const Exchange& exchange_more)
   {
-    using Reader = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_reader_2<State>;
+    using Reader =
+        Dynamic_Delaunay_triangulations_2::internal::Checkpoint_reader_2<State, Checkpoint>;
     const Floating_point floating_point;
     Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2 file(in, subject);
     Reader reader(file);

@@ -222,7 +222,7 @@ template <class Triangulation = Distributed, class... Arguments>
 Triangulation distributed(const Population& population, Owner owner, const Arguments&... arguments)
 {
   const Newcomers own = own_part(population, owner);
-  return Triangulation(MPI_COMM_WORLD, own.begin(), own.end(), arguments...);
+  return Triangulation(MPI_COMM_WORLD, own, arguments...);
 }
 
 template <class Triangulation>
@@ -239,7 +239,7 @@ template <class Triangulation, class... Cell>
 void update(Triangulation& dt, const Population& population, const Cell&... cell)
 {
   const Points next = own_positions(dt, population);
-  dt.update(next.begin(), next.end(), cell...);
+  dt.update(next, cell...);
 }
 
 // True if `call` throws an `Error` for which `is_right` holds.

@@ -50,7 +50,7 @@ template <class Triangulation>
 void insert(Triangulation& dt, Population& population, const Newcomers& all, std::size_t salt)
 {
   const Newcomers given = given_here(all, salt);
-  dt.insert(given.begin(), given.end());
+  dt.insert(given);
   population.insert(all.begin(), all.end());
 }
 
@@ -58,7 +58,7 @@ template <class Triangulation>
 void remove(Triangulation& dt, Population& population, const std::vector<Id>& all, std::size_t salt)
 {
   const std::vector<Id> given = given_here(all, salt);
-  dt.remove(given.begin(), given.end());
+  dt.remove(given);
   for (const Id id : all)
     population.erase(id);
 }

@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_ranks_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/distributed/Distributed_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
@@ -19,6 +20,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -66,6 +68,8 @@ class Distributed_triangulation_base_2
       "the coordinates of distributed points must be of type double");
 
   using Core = Dynamic_Delaunay_triangulations_2::internal::Distributed_triangulation_2<Space>;
+  template <class Range>
+  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
 
 public:
   /// \name Types
@@ -110,6 +114,13 @@ public:
     return m_core.update(first, beyond);
   }
 
+  /// takes the positions from a range with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 update(const Range& range)
+  {
+    return update(std::begin(range), std::end(range));
+  }
+
   /// @}
   /// \name Population
   /// @{
@@ -130,6 +141,13 @@ public:
     return m_core.insert(first, beyond);
   }
 
+  /// adds the points of a range with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 insert(const Range& range)
+  {
+    return insert(std::begin(range), std::end(range));
+  }
+
   /// removes points, whichever ranks own them. Collective; a rank may give none.
   ///
   /// Cost: that of an update; every rank hears of all these ids.
@@ -142,6 +160,13 @@ public:
   {
     const Floating_point floating_point;
     return m_core.remove(first, beyond);
+  }
+
+  /// removes the points whose ids are in a range with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Update_report_2 remove(const Range& ids)
+  {
+    return remove(std::begin(ids), std::end(ids));
   }
 
   /// @}
@@ -226,11 +251,9 @@ public:
     const Floating_point floating_point;
     m_core.for_each_face([&](Index i, Index j, Index k) {
       const std::array<Id, 3> ids{points().id(i), points().id(j), points().id(k)};
-      if constexpr (Space::is_periodic)
-        f(ids, std::array<typename Space::Shift, 3>{shift_between(i, i), shift_between(i, j),
-                                                    shift_between(i, k)});
-      else
-        f(ids);
+      const std::array<typename Space::Shift, 3> shifts{shift_between(i, i), shift_between(i, j),
+                                                        shift_between(i, k)};
+      Space::show(shifts, [&](const auto&... their) { f(ids, their...); });
     });
   }
 
@@ -396,17 +419,14 @@ private:
   template <class Function, class First>
   void call(const Function& f, First first, Index i, Index j) const
   {
-    if constexpr (Space::is_periodic)
-      f(first, points().id(j), shift_between(i, j));
-    else
-      f(first, points().id(j));
+    Space::show(shift_between(i, j),
+                [&](const auto&... shift) { f(first, points().id(j), shift...); });
   }
 
   // The shift of the image at place j after both are moved to have that at i where it was given.
   typename Space::Shift shift_between(Index i, Index j) const
   {
-    const auto &s = points().shift(i), &t = points().shift(j);
-    return {t[0] - s[0], t[1] - s[1]};
+    return Space::difference(points().shift(j), points().shift(i));
   }
 };
 

@@ -250,7 +250,7 @@ private:
   template <class Dynamic>
   Space<Dynamic> space_of(const Dynamic& dt) const
   {
-    if (Dynamic::Frame::is_periodic && m_domain.has_walls())
+    if (!Space<Dynamic>::can_have_walls && m_domain.has_walls())
       throw Domain_error_2(0, "there is none in periodic space");
     return Space<Dynamic>(dt);
   }

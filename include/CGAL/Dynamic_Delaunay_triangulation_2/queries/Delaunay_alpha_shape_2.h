@@ -13,7 +13,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Rounded_face_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_geometry_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/number_utils.h>
 

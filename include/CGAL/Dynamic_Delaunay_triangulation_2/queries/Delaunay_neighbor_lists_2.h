@@ -80,7 +80,7 @@ public:
     note_duplicates(dt);
     find_offsets(dt);
     m_neighbors.resize(m_offsets.back());
-    m_shifts.resize(Dynamic::Frame::is_periodic ? m_offsets.back() : 0);
+    m_shifts.resize(Geometry<Dynamic>::shown_shifts * m_offsets.back());
     write_neighbors(dt.frame());
     write_duplicates();
   }
@@ -123,6 +123,10 @@ public:
   /// @}
 
 private:
+  template <class Dynamic>
+  using Geometry = Dynamic_Delaunay_triangulations_2::internal::Site_geometry_2<
+      Dynamic_Delaunay_triangulations_2::internal::State_of_2<Dynamic>>;
+
   struct Duplicate
   {
     Id representative, id;
@@ -141,8 +145,7 @@ private:
     const size_type vertices = dt.number_of_vertices();
     const size_type duplicates = dt.number_of_points() - vertices;
     reserve_extra(m_neighbors, 6 * vertices + 2 * duplicates);
-    if (Dynamic::Frame::is_periodic)
-      reserve_extra(m_shifts, 6 * vertices + 2 * duplicates);
+    reserve_extra(m_shifts, Geometry<Dynamic>::shown_shifts * (6 * vertices + 2 * duplicates));
     reserve_extra(m_duplicates, duplicates);
     reserve_extra(m_offsets, dt.number_of_ids() + 1);
   }
@@ -159,9 +162,8 @@ private:
   template <class Dynamic>
   void note_duplicates(const Dynamic& dt)
   {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
     const auto& state = dt.frame().state();
-    const Site_geometry_2<State_of_2<Dynamic>> geometry(state);
+    const Geometry<Dynamic> geometry(state);
     state.ids().for_each_covered([&](auto id, auto v, const auto& point) {
       m_duplicates.push_back({state.ids().representative(v), id, geometry.shift_to(v, point)});
     });

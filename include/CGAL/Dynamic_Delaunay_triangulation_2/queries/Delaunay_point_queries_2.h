@@ -7,11 +7,11 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_parts.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_set_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
@@ -65,8 +65,8 @@ class Delaunay_point_queries_2
   using State = Dynamic_Delaunay_triangulations_2::internal::State_of_2<Dynamic>;
   using Query = Dynamic_Delaunay_triangulations_2::internal::Query_2<State>;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
+  using Geometry = typename Query::Geometry;
   using Site = typename State::Site;
-  static constexpr bool is_periodic = State::is_periodic;
 
 public:
   /// \name Types
@@ -77,13 +77,13 @@ public:
   /// a point.
   using Point = typename Dynamic::Point;
   /// a squared distance: the number type of `Geom_traits`; in periodic space `double`.
-  using FT = std::conditional_t<is_periodic, double, typename Dynamic::Geom_traits::FT>;
+  using FT = typename Geometry::Coordinate;
   /// the type of ids.
   using size_type = std::size_t;
   /// what is found: an id; in periodic space an image, which is a
   /// `std::pair<size_type, Periodic_shift_2>`. Images are in the order of ids, then of the first
   /// numbers of their shifts, then of the second ones.
-  using Answer = std::conditional_t<is_periodic, std::pair<size_type, Periodic_shift_2>, size_type>;
+  using Answer = typename Geometry::Answer;
 
   /// @}
   /// \name Creation
@@ -242,12 +242,9 @@ private:
     return {Dynamic_Delaunay_triangulations_2::internal::certified_state(*m_dt), p, number};
   }
 
-  static Answer answer(size_type id, [[maybe_unused]] const Periodic_shift_2& shift)
+  static Answer answer(size_type id, const Periodic_shift_2& shift)
   {
-    if constexpr (is_periodic)
-      return {id, shift};
-    else
-      return id;
+    return Geometry::show(shift, [&](const auto&... its) { return Answer{id, its...}; });
   }
 
   std::optional<Answer> find_nearest(const Point& p, size_type number) const
@@ -388,7 +385,7 @@ private:
 
   const Dynamic* m_dt;
   mutable Vertex_index m_last{1}; // the vertex found by the last walk
-  mutable Dynamic_Delaunay_triangulations_2::internal::Site_set_2<State> m_found;
+  mutable Dynamic_Delaunay_triangulations_2::internal::Site_set_2<Site> m_found;
   mutable std::vector<Site> m_open; // sites whose neighbors flood() has still to visit
 };
 

@@ -116,12 +116,12 @@ public:
   /// @{
 
   /// the number of query points.
-  size_type number_of_places() const { return m_offsets.size() - 1; }
+  size_type number_of_query_points() const { return m_offsets.size() - 1; }
   /// whether a query point has no weights, because it is outside of the hull or of the slab, or
-  /// because the points do not span the plane. \pre `i < number_of_places()`
+  /// because the points do not span the plane. \pre `i < number_of_query_points()`
   bool is_outside(size_type i) const { return m_offsets[i] == m_offsets[i + 1]; }
   /// where the list of each query point begins in `ids()` and `weights()`, and where the last list
-  /// ends: `number_of_places() + 1` numbers.
+  /// ends: `number_of_query_points() + 1` numbers.
   const std::vector<size_type>& offsets() const { return m_offsets; }
   /// the ids of all lists, ascending in each.
   const std::vector<Id>& ids() const { return m_ids; }
@@ -145,7 +145,7 @@ public:
   {
     using Value = typename std::iterator_traits<RandomAccessIterator>::value_type;
     using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
-    for (size_type i = 0; i < number_of_places(); ++i) {
+    for (size_type i = 0; i < number_of_query_points(); ++i) {
       size_type entry = m_offsets[i];
       const auto term = [&] { return m_weights[entry] * values[Difference(m_ids[entry])]; };
       Value sum = is_outside(i) ? outside : Value(term());
@@ -179,8 +179,7 @@ private:
     for (const Weighted_id_2& one : all) {
       next.m_ids.push_back(one.id);
       next.m_weights.push_back(one.weight);
-      if constexpr (Dynamic::Frame::is_periodic)
-        next.m_shifts.push_back(one.shift);
+      At::Geometry::show(one.shift, [&](const auto&... it) { (next.m_shifts.push_back(it), ...); });
     }
     *this = std::move(next);
   }

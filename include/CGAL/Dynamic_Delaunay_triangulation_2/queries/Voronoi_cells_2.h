@@ -79,10 +79,8 @@ void for_each_voronoi_edge(const Dynamic& dt, const Function& f)
       // each edge is met at both of its ends
       if (neighbor.id < i || (neighbor.id == i && neighbor.shift < Periodic_shift_2{0, 0}))
         return;
-      if constexpr (Dynamic::Frame::is_periodic)
-        f(i, neighbor.id, neighbor.shift, length);
-      else
-        f(i, neighbor.id, length);
+      space.show(neighbor.shift,
+                 [&](const auto&... shift) { f(i, neighbor.id, shift..., length); });
     });
   }
 }

@@ -323,7 +323,7 @@ private:
   template <class Dynamic>
   static Space<Dynamic> space_of(const Dynamic& dt)
   {
-    static_assert(!Dynamic::Frame::is_periodic, "domains with walls are in the plane");
+    static_assert(Space<Dynamic>::can_have_walls, "domains with walls are in the plane");
     return Space<Dynamic>(dt);
   }
 

@@ -12,7 +12,6 @@
 
 #include <cmath>
 #include <cstddef>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -98,11 +97,8 @@ template <class Maintained, class Reference>
 Delaunay_agreement delaunay_agreement(const Maintained& maintained, const Reference& reference)
 {
   using namespace Dynamic_Delaunay_triangulations_2::internal;
-  constexpr bool is_periodic = Maintained::Frame::is_periodic;
-  using Correct = Delaunay_reference_2<Reference, is_periodic>;
-  if constexpr (is_periodic)
-    if (maintained.cell() != reference.cell())
-      throw std::invalid_argument("delaunay_agreement: the cells are not the same");
+  using Correct = Delaunay_reference_2<Reference>;
+  Correct::Sites::check_space(maintained, reference);
   const Default_floating_point floating_point;
   const Correct correct(reference);
   std::vector<typename Correct::Site> site_of_id(maintained.number_of_ids());

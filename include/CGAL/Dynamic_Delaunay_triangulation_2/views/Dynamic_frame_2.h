@@ -258,11 +258,8 @@ public:
   /// the hull. Always true in periodic space.
   bool hull_turns_once() const
   {
-    if constexpr (State::is_periodic)
-      return true;
-    else
-      return Dynamic_Delaunay_triangulations_2::internal::Certificate_2<State>(*m_state)
-          .hull_turns_once();
+    return Dynamic_Delaunay_triangulations_2::internal::Certificate_2<State>(*m_state)
+        .hull_turns_once();
   }
 
   /// @}

@@ -10,7 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Vertex_geometry_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
@@ -32,77 +32,7 @@ struct Voronoi_neighbor_2
   std::size_t id;
   Periodic_shift_2 shift; // 0 in the plane
   Position_2 vector;
-};
-
-// Vectors from a vertex to an image of another one, with a bound on how far those of a face are
-// off, besides the rounding of one subtraction.
-template <class Dynamic, bool = Dynamic::Frame::is_periodic>
-class Image_vectors_2
-{
-  static_assert(Has_euclidean_circles_2<typename Dynamic::Geom_traits>::value,
-                "these traits have circles of their own, and Voronoi cells are computed for the "
-                "Euclidean ones");
-
-public:
-  explicit Image_vectors_2(const Dynamic& dt)
-    : m_vector(dt)
-  {
-  }
-
-  BOOST_FORCEINLINE Position_2 operator()(Vertex_index v, Vertex_index w,
-                                          const Periodic_shift_2&) const
-  {
-    return m_vector(v, w);
-  }
-  static double error(Vertex_index, const Position_2&, const Periodic_shift_2&, const Position_2&,
-                      const Periodic_shift_2&)
-  {
-    return 0;
-  }
-
-private:
-  const Vertex_differences_2<Dynamic> m_vector;
-};
-
-template <class Dynamic>
-class Image_vectors_2<Dynamic, true>
-{
-public:
-  explicit Image_vectors_2(const Dynamic& dt)
-    : m_positions(dt.frame().positions().data())
-    , m_cell(dt.cell())
-  {
-  }
-
-  // Rounded as in the triangulation.
-  BOOST_FORCEINLINE Position_2 operator()(Vertex_index v, Vertex_index w,
-                                          const Periodic_shift_2& shift) const
-  {
-    const Position_2 &p = m_positions[v], &q = m_positions[w];
-    return {q.x - p.x + (times(shift[0], m_cell.ax()) + times(shift[1], m_cell.bx())),
-            q.y - p.y + (times(shift[0], m_cell.ay()) + times(shift[1], m_cell.by()))};
-  }
-
-  // Of the face of v with the vectors to two images by the shifts s and t. With u = 2^-53, a
-  // coordinate of a vector is computed from those of p, q and two products t with an error of less
-  // than 4u (|p| + |q| + |t|), and each |q| is at most |p| + |t| + |v|, where v is the vector.
-  double error(Vertex_index v, const Position_2& to_s, const Periodic_shift_2& s,
-               const Position_2& to_t, const Periodic_shift_2& t) const
-  {
-    const auto sum = [](const Position_2& u) { return std::abs(u.x) + std::abs(u.y); };
-    const double a = std::abs(m_cell.ax()) + std::abs(m_cell.ay());
-    const double b = std::abs(m_cell.bx()) + std::abs(m_cell.by());
-    return 0x1p-50 *
-           (sum(m_positions[v]) + sum(to_s) + sum(to_t) +
-            times(std::abs(s[0]) + std::abs(t[0]), a) + times(std::abs(s[1]) + std::abs(t[1]), b));
-  }
-
-private:
-  // In an open direction the cell's vector means nothing, and shifts are 0.
-  static double times(int number, double x) { return number == 0 ? 0 : number * x; }
-
-  const Position_2* const m_positions; // of vertices
-  const Periodic_cell_2& m_cell;
+  double error; // of its coordinates, as Voronoi_face_2 takes it
 };
 
 // A triangulation as Voronoi cells see it, in the plane and in periodic space. Cells are numbered
@@ -114,18 +44,27 @@ class Voronoi_space_2
   using Frame = typename Dynamic::Frame;
   using Parts = typename Frame::Parts;
   using Arrays = Halfedge_arrays_2;
+  using State = State_of_2<Dynamic>;
+  using Site = typename State::Site;
+  using Geometry = Site_geometry_2<State>;
+  static_assert(Geometry::has_euclidean_circles,
+                "these traits have circles of their own, and Voronoi cells are computed for the "
+                "Euclidean ones");
 
 public:
+  static constexpr bool can_have_walls = Geometry::can_have_walls;
+  template <class Function>
+  static void show(const Periodic_shift_2& shift, const Function& f)
+  {
+    Geometry::show(shift, f);
+  }
+
   // Throws unless the triangulation is certified.
   explicit Voronoi_space_2(const Dynamic& dt)
-    : m_frame(dt.frame())
-    , m_vector(dt)
+    : m_geometry(certified_state(dt))
+    , m_frame(dt.frame())
     , m_cells_of_part(number_of_cells() / number_of_face_parts() + 1)
   {
-    if constexpr (Frame::is_periodic)
-      check_certified(dt);
-    else
-      dt.triangulation();
   }
 
   Index number_of_ids() const { return m_frame.number_of_ids(); }
@@ -137,17 +76,12 @@ public:
   std::size_t id_of_cell(Index c) const { return m_frame.id(Vertex_index(c)); }
 
   // As the point was given: in periodic space duplicates may be given by other images.
-  Position_2 position(std::size_t id) const
-  {
-    if constexpr (Frame::is_periodic)
-      return approximation(m_frame.state().point_of_id(Point_id(id)));
-    else
-      return m_frame.position(m_frame.vertex(id));
-  }
+  Position_2 position(std::size_t id) const { return m_geometry.given_position(Point_id(id)); }
   // From a point to an image of another one.
   Position_2 vector(std::size_t id, std::size_t other, const Periodic_shift_2& shift) const
   {
-    return m_vector(m_frame.vertex(id), m_frame.vertex(other), shift);
+    double ignored = 0;
+    return m_geometry.cell_vector(site(id), site(other, shift), ignored);
   }
 
   template <class Function>
@@ -181,7 +115,7 @@ public:
   template <class Function>
   void for_each_face(const Function& f) const
   {
-    if (m_frame.state().spans_plane())
+    if (state().spans_plane())
       Parts::for_each(m_frame.number_of_faces(), faces_of_part(),
                       [&](std::size_t part, std::size_t first, std::size_t beyond) {
                         for (std::size_t i = first; i < beyond; ++i)
@@ -189,44 +123,34 @@ public:
                       });
   }
 
-  // The cells of a torus are all closed. Those beside the gap of a slab are open.
+  // Cells beside the gap of a slab are open, those of a torus are all closed.
   template <class Function>
   void for_each_open_cell(const Function& f) const
   {
-    if constexpr (Frame::is_periodic) {
-      if (!m_frame.state().torus().cell().is_slab())
-        return;
-      for (Face_index i(0); i < m_frame.number_of_faces(); ++i)
-        if (is_open(i, m_frame.face(i)))
-          for (const Vertex_index v : m_frame.face(i))
-            f(v);
-    } else if (m_frame.state().spans_plane())
-      m_frame.for_each_neighbor(infinite_index, f);
-    else
-      for (Vertex_index v(1); v < number_of_cells(); ++v)
-        f(v);
+    m_geometry.for_each_vertex_at_border(f);
   }
 
   // Calls f(neighbor) counterclockwise.
   template <class Function>
   void for_each_neighbor(std::size_t id, const Function& f) const
   {
-    const Vertex_index v = m_frame.vertex(id);
-    m_frame.state().for_each_finite_neighbor(v, [&](Vertex_index w, const auto&... shift) {
-      const Periodic_shift_2 its_shift{shift...};
-      f(Voronoi_neighbor_2{m_frame.id(w), its_shift, m_vector(v, w, its_shift)});
+    const Site v = site(id);
+    internal::for_each_neighbor(m_geometry, v, [&](const Site& w) {
+      double error = 0;
+      const Position_2 vector = m_geometry.cell_vector(v, w, error);
+      f(Voronoi_neighbor_2{m_frame.id(State::vertex_of(w)), m_geometry.shift(w), vector, error});
     });
   }
 
   // Returns the face of a point and two neighbors, the second one left of the first, if any. Where
   // the cell is open, the angle between the neighbors is at least straight, so they make no face.
-  std::optional<Voronoi_face_2> face(std::size_t id, const Voronoi_neighbor_2& right,
+  std::optional<Voronoi_face_2> face(const Voronoi_neighbor_2& right,
                                      const Voronoi_neighbor_2& left) const
   {
-    const Position_2 last{-left.vector.x, -left.vector.y};
-    const Voronoi_face_2 face(
-        {vector(right.id, left.id, difference(left.shift, right.shift)), last, right.vector},
-        m_vector.error(m_frame.vertex(id), right.vector, right.shift, last, left.shift));
+    double error = (std::max)(right.error, left.error);
+    const Position_2 side =
+        m_geometry.cell_vector(site(right.id, right.shift), site(left.id, left.shift), error);
+    const Voronoi_face_2 face({side, {-left.vector.x, -left.vector.y}, right.vector}, error);
     return face.is_flat() ? std::nullopt : std::optional<Voronoi_face_2>(face);
   }
 
@@ -238,40 +162,32 @@ private:
     return (std::max)(Parts::usual_size, std::size_t(m_frame.number_of_faces()) / max_parts);
   }
 
-  // Whether face i, with the vertices v, is infinite or in the gap beside a slab.
-  bool is_open(Face_index i, const std::array<Vertex_index, 3>& v) const
-  {
-    if constexpr (Frame::is_periodic)
-      return m_frame.state().is_in_gap(i);
-    else
-      return std::any_of(v.begin(), v.end(), [](Vertex_index w) { return Frame::is_infinite(w); });
-  }
-
   template <class Function>
   BOOST_FORCEINLINE void call_with_face(std::size_t part, Face_index i, const Function& f) const
   {
-    const std::array<Vertex_index, 3> v = m_frame.state().arrays().face(i);
-    if (is_open(i, v))
+    const Halfedge_index first = Arrays::halfedge_in(i, 0);
+    const auto chart = state().chart_at(first);
+    const Site a = state().site_in(first, chart), b = state().site_in(first + 1, chart),
+               c = state().site_in(first + 2, chart);
+    if (!m_geometry.are_inside(a, b) || !m_geometry.are_inside(a, c))
       return;
-    Periodic_shift_2 s{0, 0}, t{0, 0};
-    if constexpr (Frame::is_periodic) {
-      const auto [h, k, l] = Arrays::halfedges_of(i);
-      s = m_frame.state().shift_between(h, k);
-      t = m_frame.state().shift_between(h, l);
-    }
-    const Position_2 first = m_vector(v[0], v[1], s),
-                     second = m_vector(v[1], v[2], difference(t, s)),
-                     last = m_vector(v[2], v[0], {-t[0], -t[1]});
-    f(part, v, Voronoi_face_2({second, last, first}, m_vector.error(v[0], first, s, last, t)));
+    double error = 0;
+    const std::array<Position_2, 3> sides{m_geometry.cell_vector(b, c, error),
+                                          m_geometry.cell_vector(c, a, error),
+                                          m_geometry.cell_vector(a, b, error)};
+    f(part, state().arrays().face(i), Voronoi_face_2(sides, error));
   }
 
-  static Periodic_shift_2 difference(const Periodic_shift_2& s, const Periodic_shift_2& t)
+  const State& state() const { return m_geometry.state(); }
+  // A point, and an image of it.
+  Site site(std::size_t id) const { return State::site_of(m_frame.vertex(id)); }
+  Site site(std::size_t id, const Periodic_shift_2& shift) const
   {
-    return {s[0] - t[0], s[1] - t[1]};
+    return m_geometry.neighbor(site(id), m_frame.vertex(id), shift);
   }
 
+  const Geometry m_geometry;
   const Frame m_frame;
-  const Image_vectors_2<Dynamic> m_vector;
   const std::size_t m_cells_of_part;
 };
 
@@ -285,13 +201,13 @@ void for_each_face_around(const Space& space, std::size_t id, const Function& f)
   std::optional<Voronoi_neighbor_2> first, last;
   space.for_each_neighbor(id, [&](const Voronoi_neighbor_2& next) {
     if (last)
-      f(*last, next, space.face(id, *last, next));
+      f(*last, next, space.face(*last, next));
     else
       first = next;
     last = next;
   });
   if (last)
-    f(*last, *first, space.face(id, *last, *first));
+    f(*last, *first, space.face(*last, *first));
 }
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

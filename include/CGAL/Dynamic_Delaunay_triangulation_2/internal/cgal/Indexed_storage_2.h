@@ -355,7 +355,7 @@ private:
   {
     return h == null_index ? null_index
                            : Halfedge_arrays_2::halfedge_in(new_face[Halfedge_arrays_2::face_of(h)],
-                                                            Halfedge_arrays_2::place_of(h));
+                                                            Halfedge_arrays_2::number_in_face(h));
   }
 
   Arrays m_arrays;

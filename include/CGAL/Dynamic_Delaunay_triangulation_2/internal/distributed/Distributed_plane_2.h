@@ -174,7 +174,9 @@ public:
   template <class Points>
   using Outline = Distributed_outline_2<Points>;
 
-  static constexpr bool is_periodic = false;
+  // Whether a rank may hold other images of its own points.
+  static constexpr bool has_other_images = false;
+  static constexpr const char* constructor = "the constructor"; // as ranks agree on it
   // The number of vertices, minus edges, plus finite faces: that of a disk.
   static constexpr std::uint64_t euler_characteristic = 1;
 
@@ -210,6 +212,13 @@ public:
   Position_2 vector(const Shift&) const { return {0, 0}; }
   Image translated(const Image& image, const Shift&) const { return image; }
   bool is_none(const Shift&) const { return true; }
+  static Shift difference(const Shift&, const Shift&) { return {}; }
+  // Calls f, in spaces in which users are told shifts with these.
+  template <class Shifts, class Function>
+  static void show(const Shifts&, const Function& f)
+  {
+    f();
+  }
   // Calls f(shift) for each shift that may move a place of the first box into the second one.
   template <class Function>
   void for_each_shift(const Box_2&, const Box_2&, const Function& f) const

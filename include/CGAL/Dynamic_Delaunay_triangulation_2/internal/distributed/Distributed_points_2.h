@@ -453,7 +453,7 @@ private:
   bool has_any_zone() const
   {
     for (std::size_t r = 0; r < m_zones.size(); ++r)
-      if (!m_zones[r].is_empty() && (Space::is_periodic || r != std::size_t(m_ranks.rank())))
+      if (!m_zones[r].is_empty() && (Space::has_other_images || r != std::size_t(m_ranks.rank())))
         return true;
     return false;
   }

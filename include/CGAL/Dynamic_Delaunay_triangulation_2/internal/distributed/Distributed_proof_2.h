@@ -119,7 +119,7 @@ private:
   static constexpr double smallest_margin = 1, largest_margin = 8; // cells
 
   // True if this rank owns the only image of each point.
-  bool has_no_others() const { return m_ranks.size() == 1 && !Space::is_periodic; }
+  bool has_no_others() const { return m_ranks.size() == 1 && !Space::has_other_images; }
 
   // Calls f(question) for each face with one of the corners whose number is not 0.
   template <class Function>

@@ -92,7 +92,8 @@ public:
   template <class Points>
   using Outline = Distributed_surroundings_2<Points>;
 
-  static constexpr bool is_periodic = true;
+  static constexpr bool has_other_images = true;
+  static constexpr const char* constructor = "the periodic constructor";
   // The number of vertices, minus edges, plus faces: that of a torus.
   static constexpr std::uint64_t euler_characteristic = 0;
 
@@ -185,6 +186,12 @@ public:
     return {{image[0] + int(i), image[1] + int(j)}, image.x + v.x, image.y + v.y};
   }
   bool is_none(const Shift& shift) const { return shift[0] == 0 && shift[1] == 0; }
+  static Shift difference(const Shift& s, const Shift& t) { return {s[0] - t[0], s[1] - t[1]}; }
+  template <class Shifts, class Function>
+  static void show(const Shifts& shifts, const Function& f)
+  {
+    f(shifts);
+  }
 
   // The vectors from places in `from` to places in `to` form a box. Written in multiples of the
   // basis, its corners enclose the shifts.

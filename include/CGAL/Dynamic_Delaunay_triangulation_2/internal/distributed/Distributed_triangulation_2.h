@@ -70,7 +70,7 @@ public:
   {
     Space space;
     std::vector<Entry> entries;
-    m_ranks.agree(Space::is_periodic ? "the periodic constructor" : "the constructor", [&] {
+    m_ranks.agree(Space::constructor, [&] {
       if (!(load_factor >= 1))
         throw Parameter_error_2("the load factor", load_factor, 1, infinity);
       space = make_space();

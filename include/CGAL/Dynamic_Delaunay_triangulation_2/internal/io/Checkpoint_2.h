@@ -24,12 +24,14 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
+// What is different in the checkpoints of each space, a class `Space` says: `Checkpoint_plane_2` or
+// `Checkpoint_torus_2`. A writer calls its static functions. A reader owns an object, whose
+// constructor reads the first lines.
+
 // Writes a maintained triangulation. The manual's page on checkpoints describes the file.
-template <class State>
+template <class State, class Space>
 class Checkpoint_writer_2
 {
-  using Space = Checkpoint_space_2<State>;
-
 public:
   Checkpoint_writer_2(const State& state, bool is_certified, const Repair_experience_2& memory)
     : m_state(state)
@@ -60,7 +62,11 @@ private:
   // a state must not be written, because no reader could tell it from a damaged file.
   void check_completeness() const
   {
-    if (!Space::is_complete(m_state, m_is_certified))
+    bool is_complete = Space::is_complete(m_state, m_is_certified);
+    m_state.ids().for_each_covered([&](Point_id, Vertex_index v, const auto& p) {
+      is_complete = is_complete && m_state.is_at(p, v);
+    });
+    if (!is_complete)
       throw Checkpoint_error_2(0, "an exception has ended the last call before each point had its "
                                   "vertex: write after the next update()");
   }
@@ -88,8 +94,8 @@ private:
     file.line("faces", arrays.number_of_faces());
     for (Face_index f(0); f < arrays.number_of_faces(); ++f)
       file.line(arrays.face(f), Space::rest_of_face(m_state, f));
-    file.line("corners", beyond - Space::first_vertex);
-    for (Vertex_index v = Space::first_vertex; v < beyond; ++v)
+    file.line("corners", beyond - State::first_vertex);
+    for (Vertex_index v = State::first_vertex; v < beyond; ++v)
       file.line(arrays.corner(v), Space::rest_of_corner(arrays.corner(v)));
     file.line("edges", arrays.number_of_edges());
     for (Edge_index e(0); e < arrays.number_of_edges(); ++e)
@@ -103,10 +109,9 @@ private:
 
 // Reads a triangulation that Checkpoint_writer_2 has written. Every value is validated before it is
 // used, and memory is allocated only for what was read, whatever numbers the file announces.
-template <class State>
+template <class State, class Space>
 class Checkpoint_reader_2
 {
-  using Space = Checkpoint_space_2<State>;
   using Point = typename Space::Point;
 
 public:
@@ -222,22 +227,26 @@ private:
 
   // TOPOLOGY ------------------------------------------------------------------------------------
 
-  // In the plane the vertices of faces determine which faces are neighbors. In a torus the edges
-  // do, because several edges may connect the same vertices.
+  // Which faces are neighbors, the space finds when the faces are read, or when the edges are.
   void read_topology()
   {
     read_faces();
     const std::size_t first_line = m_file.line() + 1 - m_kept.faces.number_of_faces();
-    if (!State::is_periodic)
-      check_surface(first_line);
+    Surface_check_2 check(m_kept.faces, number_of_vertices() + 1, State::first_vertex);
+    refuse(first_line, m_space.link_faces(check));
     read_corners();
     read_edges();
-    if (State::is_periodic)
-      check_surface(first_line);
+    refuse(first_line, m_space.check_links(check));
+  }
+
+  void refuse(std::size_t first_line, const Surface_check_2::Flaw& flaw) const
+  {
+    if (flaw.what)
+      m_file.refuse(first_line + flaw.face, flaw.what);
   }
 
   // By Euler's formula.
-  Index number_of_faces() const { return 2 * number_of_vertices() - (State::is_periodic ? 0 : 2); }
+  Index number_of_faces() const { return 2 * (number_of_vertices() - Space::missing_pairs); }
   Index number_of_halfedges() const { return 3 * number_of_faces(); }
 
   // Reads the number of lines that follow, which has to be `number`.
@@ -254,25 +263,15 @@ private:
       m_kept.faces.resize(f + std::size_t(1));
       for (Index i = 0; i < 3; ++i)
         m_kept.faces.set_apex(Flat_faces_2::first_halfedge(f) + i,
-                              Vertex_index(m_file.number("the vertex", Index(Space::first_vertex),
+                              Vertex_index(m_file.number("the vertex", Index(State::first_vertex),
                                                          number_of_vertices())));
       m_space.read_rest_of_face(f);
     }
   }
 
-  void check_surface(std::size_t first_line)
-  {
-    if (number_of_vertices() == 0)
-      return;
-    Surface_check_2 check(m_kept.faces, number_of_vertices() + 1, Space::first_vertex);
-    const Surface_check_2::Flaw flaw = State::is_periodic ? check.run() : check.link_and_run();
-    if (flaw.what)
-      m_file.refuse(first_line + flaw.face, flaw.what);
-  }
-
   void read_corners()
   {
-    Vertex_index v = Space::first_vertex;
+    Vertex_index v = State::first_vertex;
     const Index beyond = v + read_number("corners", number_of_vertices() + 1 - v);
     for (; v < beyond; ++v) {
       m_file.next_line();

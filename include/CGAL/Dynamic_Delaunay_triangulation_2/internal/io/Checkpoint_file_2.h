@@ -272,16 +272,6 @@ private:
   std::size_t m_line = 0;
 };
 
-// What is different in the checkpoints of each space. A writer calls the static functions of these
-// classes. A reader owns an object, whose constructor reads the first lines.
-template <class State>
-class Checkpoint_plane_2;
-template <class State>
-class Checkpoint_torus_2;
-template <class State>
-using Checkpoint_space_2 =
-    std::conditional_t<State::is_periodic, Checkpoint_torus_2<State>, Checkpoint_plane_2<State>>;
-
 // `operator<<` and `operator>>` for everything that has checkpoints. Users of streams test the
 // stream's state, so these operators set `failbit` where write_checkpoint() and read_checkpoint()
 // throw.

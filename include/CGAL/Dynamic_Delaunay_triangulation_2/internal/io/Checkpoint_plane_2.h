@@ -9,6 +9,7 @@
 #include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Surface_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
@@ -131,7 +132,7 @@ class Checkpoint_plane_2
 public:
   using Point = typename State::Point;
 
-  static constexpr Vertex_index first_vertex = infinite_index;
+  static constexpr Index missing_pairs = 1; // of faces, which are no more than twice the points
   static constexpr const char* wrong_corner = "these are no corner and no face of vertex ";
 
 private:
@@ -145,11 +146,7 @@ public:
 
   static bool is_complete(const State& state, bool is_certified)
   {
-    bool is_complete = is_certified || state.spans_plane();
-    state.ids().for_each_covered([&](Point_id, Vertex_index v, const Point& p) {
-      is_complete = is_complete && p == state.point(v);
-    });
-    return is_complete;
+    return is_certified || state.spans_plane();
   }
 
   static void write_kind(Checkpoint_output_2& file, const State& state)
@@ -232,6 +229,10 @@ public:
 
   bool has_faces() const { return m_dimension == 2; }
   void read_rest_of_face(Face_index) const { m_file.end_line(); }
+
+  // The vertices of faces determine which ones are neighbors.
+  static Surface_check_2::Flaw link_faces(Surface_check_2& check) { return check.link_and_run(); }
+  static Surface_check_2::Flaw check_links(Surface_check_2&) { return {}; }
 
   // Reads a face. True if v is one of its vertices.
   bool read_rest_of_corner(Vertex_index v)

@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Surface_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
@@ -39,7 +40,7 @@ class Checkpoint_torus_2
 public:
   using Point = typename State::Point;
 
-  static constexpr Vertex_index first_vertex = infinite_index + 1;
+  static constexpr Index missing_pairs = 0; // there are twice as many faces as points
   static constexpr const char* wrong_corner = "this is no corner of vertex ";
 
   // WRITING -------------------------------------------------------------------------------------
@@ -119,6 +120,13 @@ public:
     for (const Halfedge_index h : Arrays::halfedges_of(f))
       if (source(h) == target(h) && are_equal(side(h), no_shift))
         m_file.refuse("the face has a corner twice");
+  }
+
+  // The edges determine which faces are neighbors, because several may connect the same vertices.
+  static Surface_check_2::Flaw link_faces(Surface_check_2&) { return {}; }
+  Surface_check_2::Flaw check_links(Surface_check_2& check) const
+  {
+    return m_kept.points.empty() ? Surface_check_2::Flaw() : check.run();
   }
 
   static bool read_rest_of_corner(Vertex_index) { return true; }

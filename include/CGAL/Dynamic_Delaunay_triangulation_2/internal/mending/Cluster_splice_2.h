@@ -211,7 +211,7 @@ private:
           m_new.apexes.push_back(faces.apex(h));
           m_new.twins.push_back(neighbor == null_index
                                     ? null_index
-                                    : Arrays::halfedge_in(neighbor, Arrays::place_of(g)));
+                                    : Arrays::halfedge_in(neighbor, Arrays::number_in_face(g)));
         }
     m_new.find_boundary();
   }

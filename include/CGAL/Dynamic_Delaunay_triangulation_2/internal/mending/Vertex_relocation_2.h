@@ -273,7 +273,7 @@ private:
   // Triangulates the polygon around v; the faces have v at `position`.
   bool triangulate_anyhow_without(Vertex_index v, const Position_2& position)
   {
-    if (!m_polygon.read(m_state, v) || (State::is_periodic && !m_polygon.has_different_vertices()))
+    if (!m_polygon.read(m_state, v) || !m_polygon.has_different_vertices())
       return false;
     m_polygon.triangulate_anyhow(m_state, position);
     return true;
@@ -319,7 +319,7 @@ private:
   {
     m_positions.clear();
     const auto add = [this](const Position_2& p) {
-      m_positions.push_back(m_state.place_in_order(p));
+      m_positions.push_back(m_state.position_in_order(p));
     };
     for (const Slot& slot : m_waiting)
       add(m_state.positions()[slot.vertex]);

@@ -184,6 +184,14 @@ Position_2 checked_position(const Point& p, std::size_t id, bool& are_exact)
   return position;
 }
 
+// Throws unless a number is not negative, and finite or up to a limit. The error calls it `name`.
+inline void check_extent(const char* name, double extent,
+                         double largest = (std::numeric_limits<double>::max)())
+{
+  if (!(extent >= 0 && extent <= largest))
+    throw Parameter_error_2(name, extent, 0, largest);
+}
+
 // Plain floating-point geometry without error bounds. Heuristic classifiers use the rounded results
 // as they are; exact ones bound the error themselves.
 

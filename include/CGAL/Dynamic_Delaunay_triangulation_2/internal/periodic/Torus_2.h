@@ -47,6 +47,22 @@ struct Image_2
   Periodic_shift_2 shift;
 };
 
+// An image of a vertex.
+struct Periodic_site_2
+{
+  Vertex_index vertex;
+  Periodic_shift_2 shift;
+
+  friend bool operator<(const Periodic_site_2& a, const Periodic_site_2& b)
+  {
+    return a.vertex != b.vertex ? a.vertex < b.vertex : a.shift < b.shift;
+  }
+  friend bool operator==(const Periodic_site_2& a, const Periodic_site_2& b)
+  {
+    return a.vertex == b.vertex && are_equal(a.shift, b.shift);
+  }
+};
+
 // The images at the corners of an edge.
 struct Edge_images_2
 {

@@ -33,22 +33,6 @@ class Torus_editing_2;
 template <class State>
 class Torus_builder_2;
 
-// An image of a vertex.
-struct Periodic_site_2
-{
-  Vertex_index vertex;
-  Periodic_shift_2 shift;
-
-  friend bool operator<(const Periodic_site_2& a, const Periodic_site_2& b)
-  {
-    return a.vertex != b.vertex ? a.vertex < b.vertex : a.shift < b.shift;
-  }
-  friend bool operator==(const Periodic_site_2& a, const Periodic_site_2& b)
-  {
-    return a.vertex == b.vertex && are_equal(a.shift, b.shift);
-  }
-};
-
 // The exact predicates on sites.
 template <class Space>
 class Site_predicates_2
@@ -114,6 +98,7 @@ public:
   using Visitor_calls = Periodic_visitor_calls_2<is_heard>;
 
   static constexpr bool is_periodic = true;
+  static constexpr Vertex_index first_vertex = infinite_index + 1; // in the arrays
 
   static constexpr bool has_hull = false;
   static constexpr bool can_splice = false;          // a region may meet images of itself
@@ -170,7 +155,8 @@ public:
   {
     return m_torus.are_across(m_shifts[corner], m_shifts[other]);
   }
-  // Whether a face is in the gap beside a slab, between its sides.
+  // Whether there is a gap, beside a slab, and whether a face is in it, between the slab's sides.
+  bool has_gap() const { return m_torus.cell().is_slab(); }
   bool is_in_gap(Face_index f) const
   {
     const auto [h, i, k] = Halfedge_arrays_2::halfedges_of(f);
@@ -184,7 +170,7 @@ public:
   bool is_hull_edge(Halfedge_index h) const
   {
     using Arrays = Halfedge_arrays_2;
-    return m_torus.cell().is_slab() && !is_in_gap(Arrays::face_of(h)) &&
+    return has_gap() && !is_in_gap(Arrays::face_of(h)) &&
            is_in_gap(Arrays::face_of(m_arrays.twin(h)));
   }
 
@@ -251,7 +237,7 @@ public:
     return now - (positions()[v] - previous_position(v));
   }
   // Returns the image of p in the cell, by which p is sorted in space.
-  Position_2 place_in_order(const Position_2& p) const { return m_torus.wrapped(p); }
+  Position_2 position_in_order(const Position_2& p) const { return m_torus.wrapped(p); }
   Image_2 image(const Site& site) const { return {positions()[site.vertex], site.shift}; }
   // NaNs beyond the gap beside a slab.
   Position_2 rounded_position(const Site& site) const
@@ -385,6 +371,8 @@ public:
   }
   // Whether the faces cover the torus once. Takes exact arithmetic at all faces.
   bool covers_space() const { return Torus_cover_2<Torus_space_2>(*this).is_single(); }
+  static bool is_structure_valid(bool, int) { return true; } // there are the arrays alone
+  static bool is_right_on_line() { return true; }            // all points span faces
 
   bool corners_are_exact(Edge_index e) const { return !is_shifted(e); }
   Edge_corners_2 corners(Edge_index e) const { return corners(e, positions()); }

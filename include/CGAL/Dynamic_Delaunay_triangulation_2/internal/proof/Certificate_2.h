@@ -38,9 +38,20 @@ public:
   {
   }
 
-  // Condition 4. A locally convex closed curve turns around once for each of its summits, the
-  // vertices that are lexicographically larger than both their neighbors.
+  // Condition 4, where there is a hull.
   bool hull_turns_once() const
+  {
+    if constexpr (State::has_hull)
+      return has_one_summit();
+    return true;
+  }
+
+  bool holds() const { return are_edges_delaunay() && hull_turns_once(); }
+
+private:
+  // A locally convex closed curve turns around once for each of its summits, the vertices that are
+  // lexicographically larger than both their neighbors.
+  bool has_one_summit() const
   {
     const Vertex_predicates_2<State> predicates(m_state);
     const auto is_larger = [&](Vertex_index v, Vertex_index w) {
@@ -56,15 +67,6 @@ public:
     return summits == 1;
   }
 
-  bool holds() const
-  {
-    if constexpr (!State::has_hull)
-      return are_edges_delaunay();
-    else
-      return are_edges_delaunay() && hull_turns_once();
-  }
-
-private:
   // Conditions 1 to 3.
   bool are_edges_delaunay() const
   {
@@ -81,14 +83,14 @@ private:
   const State& m_state;
 };
 
-// Throws unless the periodic triangulation is certified.
+// Throws unless the triangulation is certified.
 template <class Dynamic>
-void check_certified(const Dynamic& pt)
+void check_certified(const Dynamic& dt)
 {
-  if (!pt.is_certified())
+  if (!dt.is_certified())
     throw Uncertified_triangulation_error_2(
-        "the periodic triangulation is not certified after a heuristic update, or after a change "
-        "that was interrupted: call mend() to make it Delaunay");
+        "the triangulation is not certified after a heuristic update, or after a change that was "
+        "interrupted: call mend() to make it Delaunay");
 }
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -11,7 +11,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/exceptions.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -34,7 +33,8 @@ public:
 
   bool passes(int level, bool is_certified) const
   {
-    return says(is_data_structure_valid(level), "the triangulation data structure is not valid") &&
+    return says(m_state.is_structure_valid(m_verbose, level),
+                "the triangulation data structure is not valid") &&
            says(is_no_point_lost(is_certified), "a point has no vertex, or not its own") &&
            says(are_arrays_consistent(), "the half-edges are not those of a triangulation") &&
            says(m_state.covers_space(), "the faces do not cover the torus once") &&
@@ -62,25 +62,7 @@ private:
     });
   }
 
-  // CGAL's own check throws instead of answering where its assertions are enabled. A torus has no
-  // data structure of CGAL's.
-  bool is_data_structure_valid([[maybe_unused]] int level) const
-  {
-    if constexpr (!State::is_periodic) {
-      if (m_state.triangulation().number_of_vertices() != m_state.number_of_vertices())
-        return false;
-      try {
-        return says(!m_state.is_written_by_handles(), "handles have changed a vertex or a face") &&
-               m_state.triangulation().tds().is_valid(m_verbose, level);
-      } catch (const Failure_exception&) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  // In the plane a covered point may differ from its vertex after an exception, until the next
-  // proof.
+  // A covered point may differ from its vertex after an exception, until the next proof.
   bool is_no_point_lost(bool is_certified) const
   {
     const auto& ids = m_state.ids();
@@ -93,7 +75,7 @@ private:
         return false;
       if (!ids.is_representative(id)) {
         ++covered;
-        if ((State::is_periodic || is_certified) && !m_state.is_at(ids.covered_point(id), v))
+        if (is_certified && !m_state.is_at(ids.covered_point(id), v))
           return false;
       }
     }
@@ -110,9 +92,8 @@ private:
   bool are_arrays_consistent() const
   {
     const auto& arrays = m_state.arrays();
-    const bool has_vertices =
-        !State::is_periodic || m_state.spans_plane(); // at least the infinite one
-    if (has_vertices && m_state.positions().size() != arrays.number_of_vertices())
+    if (m_state.number_of_vertices() > 0 &&
+        m_state.positions().size() != arrays.number_of_vertices())
       return false;
     if (!m_state.spans_plane())
       return arrays.number_of_faces() == 0;
@@ -123,7 +104,7 @@ private:
     return all_of<Face_index>(0, arrays.number_of_faces(), is_face) &&
            all_of<Halfedge_index>(0, arrays.number_of_halfedges(),
                                   [this](Halfedge_index h) { return is_halfedge_consistent(h); }) &&
-           all_of<Vertex_index>(first_vertex, arrays.number_of_vertices(), has_corner);
+           all_of<Vertex_index>(State::first_vertex, arrays.number_of_vertices(), has_corner);
   }
 
   // Whether no two edges have the same ends, as seen from one end, and none ends where it begins.
@@ -133,7 +114,7 @@ private:
       return true;
     using Arrays = Halfedge_arrays_2;
     std::vector<typename State::Site> ends;
-    for (Vertex_index v = first_vertex; v < m_state.arrays().number_of_vertices(); ++v) {
+    for (Vertex_index v = State::first_vertex; v < m_state.arrays().number_of_vertices(); ++v) {
       ends.assign(1, State::site_of(v));
       m_state.arrays().for_each_corner(v, [&](Halfedge_index h) {
         ends.push_back(m_state.site_in(Arrays::next(h), m_state.chart_at(h)));
@@ -164,17 +145,9 @@ private:
 
   bool is_delaunay() const
   {
-    if (State::is_periodic || m_state.spans_plane())
-      return Certificate_2<State>(m_state).holds();
-    if constexpr (!State::is_periodic)
-      try { // on a line the triangulation is CGAL's own work
-        return m_state.triangulation().is_valid();
-      } catch (const Failure_exception&) {
-      }
-    return false;
+    return m_state.spans_plane() ? Certificate_2<State>(m_state).holds()
+                                 : m_state.is_right_on_line();
   }
-
-  static constexpr Vertex_index first_vertex{State::is_periodic ? 1 : 0};
 
   const State& m_state;
   bool m_verbose;

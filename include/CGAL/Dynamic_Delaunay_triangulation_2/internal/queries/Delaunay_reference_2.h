@@ -23,6 +23,7 @@
 #include <optional>
 #include <stdexcept>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -50,13 +51,10 @@ inline Reference_site_2 shifted(const Reference_site_2& p, const Periodic_shift_
                               "the reference has not");
 }
 
-// The sites of a reference triangulation, and the edges and faces between them.
-template <class Reference, bool is_periodic>
-class Reference_sites_2;
-
-// Those of a triangulation of CGAL are numbered in lexicographic order of the points.
-template <class Reference>
-class Reference_sites_2<Reference, false>
+// The sites of a reference triangulation, and the edges and faces between them. Those of a
+// triangulation of CGAL are numbered in lexicographic order of the points.
+template <class Reference, class = void>
+class Reference_sites_2
 {
   using Point = typename Reference::Point;
   using Face_handle = typename Reference::Face_handle;
@@ -74,6 +72,12 @@ public:
       m_number_of_face[f] = m_faces.size();
       m_faces.push_back(f);
     }
+  }
+
+  // Throws unless both triangulations are in the same space.
+  template <class Maintained>
+  static void check_space(const Maintained&, const Reference&)
+  {
   }
 
   std::size_t size() const { return m_points.size(); }
@@ -133,7 +137,7 @@ private:
 
 // Those of a certified periodic triangulation have the smallest ids there as numbers.
 template <class Reference>
-class Reference_sites_2<Reference, true>
+class Reference_sites_2<Reference, std::void_t<typename Reference::Frame>>
 {
   using Arrays = Halfedge_arrays_2;
   using State = State_of_2<Reference>;
@@ -146,6 +150,13 @@ public:
   {
     for (Vertex_index v(1); v <= m_state.number_of_vertices(); ++v)
       m_site_of_vertex.push_back(site(m_state.point(v)));
+  }
+
+  template <class Maintained>
+  static void check_space(const Maintained& maintained, const Reference& reference)
+  {
+    if (maintained.cell() != reference.cell())
+      throw std::invalid_argument("delaunay_agreement: the cells are not the same");
   }
 
   std::size_t size() const { return m_state.number_of_vertices(); }
@@ -201,10 +212,11 @@ private:
 
 // The edges of a Delaunay triangulation, and the pairs of sites that may be joined instead, because
 // more than three sites are on an empty circle.
-template <class Reference, bool is_periodic>
+template <class Reference>
 class Delaunay_reference_2
 {
 public:
+  using Sites = Reference_sites_2<Reference>;
   using Site = Reference_site_2;
   // The numbers of two sites, and the shift of the second one as seen from the first.
   using Edge = std::tuple<std::size_t, std::size_t, Periodic_shift_2>;
@@ -324,7 +336,7 @@ private:
   }
 
   // Of the chords of a cluster only the number is required; every other edge is required itself.
-  const Reference_sites_2<Reference, is_periodic> m_sites;
+  const Sites m_sites;
   std::vector<Edge> m_edges;                            // required themselves
   std::vector<Member> m_members;                        // sorted
   std::map<std::size_t, std::size_t> m_required_chords; // of each cluster

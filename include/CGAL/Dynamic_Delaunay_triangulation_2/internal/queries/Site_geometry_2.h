@@ -14,6 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 #include <CGAL/Periodic_cell_2.h>
@@ -36,10 +37,7 @@ using State_of_2 = std::decay_t<decltype(std::declval<const Dynamic&>().frame().
 template <class Dynamic>
 const State_of_2<Dynamic>& certified_state(const Dynamic& dt)
 {
-  if constexpr (Dynamic::Frame::is_periodic)
-    check_certified(dt);
-  else
-    dt.triangulation(); // throws
+  check_certified(dt);
   return dt.frame().state();
 }
 
@@ -64,15 +62,13 @@ Number cross(const Exact_vector_2<Number>& v, const Exact_vector_2<Number>& w)
 }
 
 // The exact geometry of a state's sites and of *query points*, which are at no vertex. Functions
-// take either where they are templates. This is all that differs for queries between the plane and
-// periodic space.
-template <class State, bool = State::is_periodic>
-class Site_geometry_2;
+// take either where they are templates. This is all that differs for queries between spaces whose
+// sites are vertices, as in the plane, and those whose sites are images of vertices.
 
-// THE PLANE ---------------------------------------------------------------------------------------
+// VERTICES ----------------------------------------------------------------------------------------
 
-template <class State>
-class Site_geometry_2<State, false>
+template <class State, class Site_ = typename State::Site>
+class Site_geometry_2
 {
 public:
   using Point = typename State::Point;
@@ -80,9 +76,12 @@ public:
   using Chart = typename State::Chart;
   using Coordinate = std::decay_t<decltype(std::declval<const Point&>().x())>;
   using Exact = typename Exact_number_2<Coordinate>::Type;
+  using Answer = std::size_t; // what users know a site by: an id
 
   static constexpr bool has_euclidean_circles =
       Has_euclidean_circles_2<typename State::Traits>::value;
+  static constexpr std::size_t shown_shifts = 0; // that users are told with an id
+  static constexpr bool can_have_walls = true;   // which are where they are, and have no images
 
   // The point must live as long as functions are called for it.
   struct Query_point
@@ -94,6 +93,7 @@ public:
 
   explicit Site_geometry_2(const State& state)
     : m_state(&state)
+    , m_positions_are_exact(state.positions_are_exact())
   {
   }
 
@@ -104,20 +104,41 @@ public:
   {
     bool is_exact = true;
     const Position_2 position = checked_position(p, number, is_exact);
-    return {&p, position, is_exact && m_state->positions_are_exact()};
+    return {&p, position, is_exact && m_positions_are_exact};
   }
 
   // How a query point sees vertices and faces.
   static Site site_near(const Query_point&, Vertex_index v) { return v; }
   static Chart chart_near(const Query_point&, Halfedge_index) { return {}; }
   // The site of a neighbor of a site's vertex.
-  static Site neighbor(Site, Vertex_index w) { return w; }
+  static Site neighbor(Site, Vertex_index w, const Periodic_shift_2& = no_shift) { return w; }
   static Periodic_shift_2 shift(Site) { return no_shift; }
+  // Calls f with the shift if users are told shifts, and else with nothing.
+  template <class Function>
+  static decltype(auto) show(const Periodic_shift_2&, const Function& f)
+  {
+    return f();
+  }
   // By how much a point that is covered at v must be shifted to be where v is.
   static Periodic_shift_2 shift_to(Vertex_index, const Point&) { return no_shift; }
+  // Where a point is, as it was given.
+  const Position_2& given_position(Point_id id) const
+  {
+    return position(m_state->ids().vertex(id));
+  }
 
   // Whether no edge between these sites goes outside of the hull.
   static bool are_inside(Site a, Site b) { return a != infinite_index && b != infinite_index; }
+  // Calls f(v) for the vertices at which edges have a single face, or none; for some more than
+  // once.
+  template <class Function>
+  void for_each_vertex_at_border(const Function& f) const
+  {
+    if (m_state->spans_plane())
+      return m_state->arrays().for_each_neighbor(infinite_index, f);
+    for (Vertex_index v = 1; v <= m_state->number_of_vertices(); ++v)
+      f(v);
+  }
 
   Orientation orientation(Site a, Site b, const Query_point& q) const
   {
@@ -165,6 +186,16 @@ public:
       error = std::numeric_limits<double>::infinity();
     return position(to) - from.position;
   }
+  // The vector as Voronoi cells take it. Rounded positions are not subtracted, because points that
+  // an exact kernel distinguishes may have equal doubles as coordinates. Passes over faces are much
+  // slower where compilers do not inline this.
+  BOOST_FORCEINLINE Position_2 cell_vector(Site from, Site to, double&) const
+  {
+    if (m_positions_are_exact)
+      return position(to) - position(from);
+    const auto &p = point(from), &q = point(to);
+    return {CGAL::to_double(q.x() - p.x()), CGAL::to_double(q.y() - p.y())};
+  }
   template <class From, class To>
   Exact_vector_2<Exact> exact_vector(const From& from, const To& to) const
   {
@@ -178,28 +209,33 @@ private:
   const auto& traits() const { return m_state->traits(); }
   const Position_2& position(Site site) const { return m_state->positions()[site]; }
   decltype(auto) point(Site site) const { return m_state->point(site); }
-  bool is_exact(Site) const { return m_state->positions_are_exact(); }
+  bool is_exact(Site) const { return m_positions_are_exact; }
 
   static const Position_2& position(const Query_point& q) { return q.position; }
   static const Point& point(const Query_point& q) { return *q.point; }
   static bool is_exact(const Query_point& q) { return q.is_exact; }
 
   const State* m_state;
+  bool m_positions_are_exact;
 };
 
-// PERIODIC SPACE ----------------------------------------------------------------------------------
+// IMAGES ------------------------------------------------------------------------------------------
 
 template <class State>
-class Site_geometry_2<State, true>
+class Site_geometry_2<State, Periodic_site_2>
 {
 public:
   using Point = typename State::Point;
   using Site = typename State::Site;
   using Chart = typename State::Chart;
   using Query_point = Image_2;
+  using Coordinate = double;
   using Exact = typename Exact_number_2<double>::Type;
+  using Answer = std::pair<std::size_t, Periodic_shift_2>;
 
   static constexpr bool has_euclidean_circles = true;
+  static constexpr std::size_t shown_shifts = 1;
+  static constexpr bool can_have_walls = false;
 
   explicit Site_geometry_2(const State& state)
     : m_state(&state)
@@ -227,15 +263,30 @@ public:
     return {w, v.shift + way};
   }
   static const Periodic_shift_2& shift(const Site& site) { return site.shift; }
+  template <class Function>
+  static decltype(auto) show(const Periodic_shift_2& shift, const Function& f)
+  {
+    return f(shift);
+  }
   Periodic_shift_2 shift_to(Vertex_index v, const Point& p) const
   {
     return m_state->shift_of_step(approximation(p), m_state->positions()[v]);
   }
+  Position_2 given_position(Point_id id) const { return approximation(m_state->point_of_id(id)); }
 
   // Whether the sites are on the same side of the gap beside a slab.
   bool are_inside(const Site& a, const Site& b) const
   {
     return !torus().are_across(a.shift, b.shift);
+  }
+  template <class Function>
+  void for_each_vertex_at_border(const Function& f) const
+  {
+    if (m_state->has_gap())
+      for (Face_index i = 0; i < m_state->arrays().number_of_faces(); ++i)
+        if (m_state->is_in_gap(i))
+          for (const Vertex_index v : m_state->face(i))
+            f(v);
   }
 
   Orientation orientation(const Site& a, const Site& b, const Query_point& q) const
@@ -284,12 +335,17 @@ public:
             sum(p.position.y, q.position.y, cell.ay(), cell.by())};
   }
   // Faster, with a larger bound, which covers the rounding of all steps.
-  Position_2 rough_vector(const Query_point& from, const Site& to, double& error) const
+  template <class From>
+  BOOST_FORCEINLINE Position_2 rough_vector(const From& from, const Site& to, double& error) const
   {
     double m = 0;
-    const Position_2 v = torus().vector(from, image(to), m);
+    const Position_2 v = torus().vector(image(from), image(to), m);
     error = (std::max)(error, Torus_2::error_factor * m);
     return v;
+  }
+  BOOST_FORCEINLINE Position_2 cell_vector(const Site& from, const Site& to, double& error) const
+  {
+    return rough_vector(from, to, error);
   }
   // Both must be on the same side of the gap beside a slab.
   template <class From, class To>

@@ -7,58 +7,61 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
-#include <CGAL/Periodic_cell_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 
+#include <cstddef>
 #include <limits>
 #include <set>
-#include <type_traits>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// A set of sites. It keeps its memory in the plane, where sites are vertices.
-template <class State>
+// A set of sites. Where these are vertices, it keeps its memory.
+template <class Site>
 class Site_set_2
 {
 public:
-  using Site = typename State::Site;
-
+  template <class State>
   void clear(const State& state)
   {
-    if constexpr (State::is_periodic)
-      m_sites.clear();
-    else
-      m_sites.clear(state.number_of_vertices() + 1);
+    m_vertices.clear(state.number_of_vertices() + std::size_t(1));
   }
-  void insert(const Site& site) { m_sites.insert(site); }
-
-  bool contains(const Site& site) const
-  {
-    if constexpr (State::is_periodic)
-      return m_sites.count(site) != 0;
-    else
-      return m_sites.contains(site);
-  }
+  void insert(Site v) { m_vertices.insert(v); }
+  bool contains(Site v) const { return m_vertices.contains(v); }
 
   // Calls f(site) for the members at a vertex.
   template <class Function>
   void for_each_at(Vertex_index v, const Function& f) const
   {
-    if constexpr (State::is_periodic) {
-      constexpr int least = (std::numeric_limits<int>::min)();
-      auto site = m_sites.lower_bound({v, {least, least}});
-      for (; site != m_sites.end() && site->vertex == v; ++site)
-        f(*site);
-    } else if (m_sites.contains(v))
+    if (contains(v))
       f(v);
   }
 
-  bool empty() const { return m_sites.empty(); }
-  auto begin() const { return m_sites.begin(); }
-  auto end() const { return m_sites.end(); }
+  bool empty() const { return m_vertices.empty(); }
+  auto begin() const { return m_vertices.begin(); }
+  auto end() const { return m_vertices.end(); }
 
 private:
-  std::conditional_t<State::is_periodic, std::set<Site>, Index_set<Vertex_index>> m_sites;
+  Index_set<Vertex_index> m_vertices;
+};
+
+template <>
+class Site_set_2<Periodic_site_2> : public std::set<Periodic_site_2>
+{
+public:
+  template <class State>
+  void clear(const State&)
+  {
+    std::set<Periodic_site_2>::clear();
+  }
+  bool contains(const Periodic_site_2& site) const { return count(site) != 0; }
+
+  template <class Function>
+  void for_each_at(Vertex_index v, const Function& f) const
+  {
+    constexpr int least = (std::numeric_limits<int>::min)();
+    for (auto site = lower_bound({v, {least, least}}); site != end() && site->vertex == v; ++site)
+      f(*site);
+  }
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -145,12 +145,12 @@ class Weights_at_point_2
   using Arrays = Halfedge_arrays_2;
   using State = State_of_2<Dynamic>;
   using Site = typename State::Site;
-  using Geometry = Site_geometry_2<State>;
   using Query = Query_2<State>;
-  static_assert(Geometry::has_euclidean_circles,
+  static_assert(Site_geometry_2<State>::has_euclidean_circles,
                 "these traits have circles of their own, and areas are those of Euclidean ones");
 
 public:
+  using Geometry = Site_geometry_2<State>;
   using Point = typename Dynamic::Point;
 
   // No weight is off by more.

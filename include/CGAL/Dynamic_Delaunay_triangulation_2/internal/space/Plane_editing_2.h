@@ -67,10 +67,10 @@ public:
   void flip(Halfedge_index h, Log&)
   {
     const auto f = m_state.face_handle(Arrays::face_of(h));
-    const int place = int(Arrays::place_of(h));
-    tell([&] { return Told::of(Kind::BEFORE_FLIP, Edge(f, place)); });
+    const int i = int(Arrays::number_in_face(h));
+    tell([&] { return Told::of(Kind::BEFORE_FLIP, Edge(f, i)); });
     m_arrays.flip(h);
-    tell([&] { return Told::of(Kind::AFTER_FLIP, Edge(f, Triangulation_cw_ccw_2::ccw(place))); });
+    tell([&] { return Told::of(Kind::AFTER_FLIP, Edge(f, Triangulation_cw_ccw_2::ccw(i))); });
   }
 
   void set_corner(Halfedge_index h, Vertex_index v) { m_arrays.set_apex(h, v); }

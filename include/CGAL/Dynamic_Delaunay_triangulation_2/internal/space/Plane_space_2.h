@@ -18,9 +18,11 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Writable_positions_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/accepts_inexact_predicates_2.h>
+#include <CGAL/exceptions.h>
 
 #include <array>
 #include <cstddef>
+#include <iostream>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -58,7 +60,8 @@ public:
   template <bool is_heard>
   using Visitor_calls = Visitor_calls_2<Triangulation, is_heard>;
 
-  static constexpr bool is_periodic = false;
+  static constexpr bool is_periodic = false;            // for users of frames only
+  static constexpr Vertex_index first_vertex = infinite_index; // in the arrays
 
   // The properties of the space on which repairs depend.
   static constexpr bool has_hull = true;
@@ -122,6 +125,24 @@ public:
   bool is_at_infinity(Edge_index e) const { return internal::is_at_infinity(edge(e)); }
   bool breaks_hull(Edge_index e) const { return internal::breaks_hull(edge(e), positions()); }
   static bool covers_space() { return true; } // there is nothing beside the hull to leave open
+  static constexpr bool has_gap() { return false; }
+  static bool flips_across_gap(Index) { return false; }
+
+  // Whether CGAL's data structure is valid. CGAL's own check throws instead of answering where its
+  // assertions are enabled.
+  bool is_structure_valid(bool verbose, int level) const
+  {
+    if (is_written_by_handles() && verbose)
+      std::cerr << "handles have changed a vertex or a face" << std::endl;
+    return !is_written_by_handles() &&
+           m_triangulation.number_of_vertices() == number_of_vertices() &&
+           passes([&] { return m_triangulation.tds().is_valid(verbose, level); });
+  }
+  // Whether points that do not span the plane are triangulated rightly, which is CGAL's own work.
+  bool is_right_on_line() const
+  {
+    return passes([this] { return m_triangulation.is_valid(); });
+  }
 
   // Calls f(w) for every finite neighbor w of the finite vertex v, counterclockwise. Where the
   // points do not span the plane there are no flat arrays, and CGAL's data structure has the
@@ -195,7 +216,7 @@ public:
     return squared_distance(p, q);
   }
   // The position by which p is sorted in a spatial order.
-  static const Position_2& place_in_order(const Position_2& p) { return p; }
+  static const Position_2& position_in_order(const Position_2& p) { return p; }
 
   // SITES AND CHARTS ------------------------------------------------------------------------------
   // A site is a vertex as seen in a chart, which says how a face is seen. In the plane all charts
@@ -265,6 +286,17 @@ public:
   };
 
 private:
+  // Whether a check of CGAL's is true, and does not throw.
+  template <class Check>
+  static bool passes(const Check& check)
+  {
+    try {
+      return check();
+    } catch (const Failure_exception&) {
+      return false;
+    }
+  }
+
   template <class Function>
   void for_each_neighbor_on_line(Vertex_index v, const Function& f) const
   {

@@ -43,7 +43,7 @@ constexpr bool answers(const Use&)
   answers<Space>([]([[maybe_unused]] const auto& s, [[maybe_unused]] const auto& v,                \
                     [[maybe_unused]] const auto& h, [[maybe_unused]] const auto& e,                \
                     [[maybe_unused]] const auto& f, [[maybe_unused]] const auto& site,             \
-                    [[maybe_unused]] const auto& chart, [[maybe_unused]] const auto& place,        \
+                    [[maybe_unused]] const auto& chart, [[maybe_unused]] const auto& position,     \
                     [[maybe_unused]] auto& edges,                                                  \
                     [[maybe_unused]] const auto& function) -> decltype(__VA_ARGS__, void()) {})
 
@@ -53,8 +53,8 @@ constexpr bool answers(const Use&)
 // Besides, a space is made from an `Argument`, which argument() returns. Its `Writer` writes
 // arrays() and positions(), and what only this space keeps. `Editing<State>` keeps that in step
 // with the arrays, and tells visitors by `Visitor_calls`; `Builder<State>` has rebuild(),
-// build_with(), copy() and exchange(). Calls and files have an input class and a
-// `Checkpoint_space_2` of their own.
+// build_with(), copy() and exchange(). Calls and files have classes of their own, as
+// `Input_frame_2` and `Checkpoint_plane_2`; queries ask `Site_geometry_2`, by the type of sites.
 //
 // A *site* is a vertex as seen from a face, on a torus an image. A *chart* says how the face is
 // seen from there. A plane with circles of its own needs less: traits with their predicates, and
@@ -75,6 +75,8 @@ constexpr bool is_space()
                                               as<bool>(s.positions_are_exact())),
                 "positions() of the vertices are rounded; positions_are_exact(), whether signs "
                 "may be concluded from them");
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Vertex_index>(Space::first_vertex)),
+                "first_vertex is the first one in the arrays: 0 where that is at infinity, or 1");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<const typename Space::Point&>(s.point(v)),
                                               as<bool>(s.is_at(s.point(v), v))),
                 "point(v) is the user's; is_at(point, v) compares exactly");
@@ -120,23 +122,24 @@ constexpr bool is_space()
                                               as<Position_2>(s.rounded_position(site))),
                 "are_neighbors(a, b) tells whether an edge connects two sites, "
                 "rounded_position(site) where one is");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<double>(s.rounded_squared_distance(v, v)),
-                                              as<double>(s.rounded_squared_distance(place, place))),
-                "rounded_squared_distance(), of vertices or positions, is that of the nearest "
-                "images");
+  static_assert(
+      CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<double>(s.rounded_squared_distance(v, v)),
+                                    as<double>(s.rounded_squared_distance(position, position))),
+      "rounded_squared_distance(), of vertices or positions, is that of the nearest "
+      "images");
 
   // TIME -----------------------------------------------------------------------------------------
 
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Position_2>(s.previous_position(v)),
-                                              as<Position_2>(s.previous_position_at(v, place))),
+                                              as<Position_2>(s.previous_position_at(v, position))),
                 "previous_position(v) is where the vertex was one frame ago, "
                 "previous_position_at(v, now) the same as seen from the image that is at now");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Position_2>(s.rest_position(v)),
                                               as<bool>(s.have_points_moved())),
                 "rest_position(v) is where the vertex was before its points moved, taken along "
                 "with the cell: there all faces are counterclockwise");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Position_2>(s.place_in_order(place))),
-                "place_in_order(position) is by what points are sorted along a curve");
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Position_2>(s.position_in_order(position))),
+                "position_in_order(position) is by what points are sorted along a curve");
 
   // PROOFS ---------------------------------------------------------------------------------------
 
@@ -153,6 +156,10 @@ constexpr bool is_space()
                 "filter, append_unproved(first, beyond, edges) the pass over many");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<bool>(s.covers_space())),
                 "covers_space() is what must be true of all faces together");
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<bool>(s.is_structure_valid(true, 0)),
+                                              as<bool>(s.is_right_on_line())),
+                "is_structure_valid(verbose, level) checks what is stored besides the arrays, "
+                "is_right_on_line() the triangulation while it has no faces");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<bool>(Space::Slacks::has_hull)),
                 "Slacks are the bounds by which edges are skipped");
 
@@ -163,6 +170,9 @@ constexpr bool is_space()
                                               as<bool>(Space::can_locate_anywhere)),
                 "has_hull, can_splice (a region can be triangulated separately) and "
                 "can_locate_anywhere (not only where all is Delaunay) say which tools there are");
+  static_assert(
+      CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<bool>(s.has_gap()), as<bool>(s.flips_across_gap(e))),
+      "has_gap() and flips_across_gap(e) tell edges that only `certify()` flips");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(
                     as<bool>(s.spans_plane()), as<std::size_t>(Space::min_vertices),
                     as<std::size_t>(s.rebuilt_vertices()), as<Index>(s.number_of_vertices())),

@@ -42,7 +42,7 @@ public:
   static Face_index face_of(Halfedge_index h) { return Face_index(h / 3); }
   // The half-edge opposite to the i-th vertex of face f; and the i of half-edge h.
   static Halfedge_index halfedge_in(Face_index f, Index i) { return Halfedge_index(3 * f + i); }
-  static Index place_of(Halfedge_index h) { return h % 3; }
+  static Index number_in_face(Halfedge_index h) { return h % 3; }
   static std::array<Halfedge_index, 3> halfedges_of(Face_index f)
   {
     return {halfedge_in(f, 0), halfedge_in(f, 1), halfedge_in(f, 2)};
@@ -55,7 +55,7 @@ public:
   Index number_of_halfedges() const { return 3 * number_of_faces(); }
   Index number_of_edges() const { return Index(m_edges.size()); }
 
-  // The vertex opposite to half-edge h: vertex place_of(h) of its face.
+  // The vertex opposite to half-edge h: vertex number_in_face(h) of its face.
   Vertex_index apex(Halfedge_index h) const { return m_halfedges[h].apex; }
   Vertex_index source(Halfedge_index h) const { return apex(next(h)); }
   Vertex_index target(Halfedge_index h) const { return apex(previous(h)); }

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -204,6 +205,8 @@ public:
   // Whether the corners and the center are images of different vertices.
   bool has_different_vertices()
   {
+    if constexpr (sites_are_vertices)
+      return true;
     m_numbers.clear();
     m_numbers.push_back(m_center);
     for (const Side& side : m_sides)
@@ -213,6 +216,9 @@ public:
   }
 
 private:
+  // Whether a vertex has no other images, so that no polygon meets itself.
+  static constexpr bool sites_are_vertices = std::is_convertible_v<Site, Vertex_index>;
+
   // A half-edge of a face inside of the polygon; the face beyond is to be examined.
   struct Open
   {
@@ -224,16 +230,15 @@ private:
   // inside of the polygon of another image of the center, too.
   bool meets_itself()
   {
-    if constexpr (State::is_periodic) {
-      m_numbers.assign(m_faces.begin(), m_faces.end());
-      std::sort(m_numbers.begin(), m_numbers.end());
-      return std::adjacent_find(m_numbers.begin(), m_numbers.end()) != m_numbers.end() ||
-             std::any_of(m_sides.begin(), m_sides.end(), [this](const Side& side) {
-               return std::binary_search(m_numbers.begin(), m_numbers.end(),
-                                         Arrays::face_of(side.outer));
-             });
-    }
-    return false;
+    if constexpr (sites_are_vertices)
+      return false;
+    m_numbers.assign(m_faces.begin(), m_faces.end());
+    std::sort(m_numbers.begin(), m_numbers.end());
+    return std::adjacent_find(m_numbers.begin(), m_numbers.end()) != m_numbers.end() ||
+           std::any_of(m_sides.begin(), m_sides.end(), [this](const Side& side) {
+             return std::binary_search(m_numbers.begin(), m_numbers.end(),
+                                       Arrays::face_of(side.outer));
+           });
   }
 
   void clear(Vertex_index center)

@@ -202,7 +202,7 @@ public:
       m_editing.before_face(f);
     const auto global = [&](Halfedge_index h) {
       return Halfedge_arrays_2::halfedge_in(old_faces[Halfedge_arrays_2::face_of(h)],
-                                            Halfedge_arrays_2::place_of(h));
+                                            Halfedge_arrays_2::number_in_face(h));
     };
     for (Halfedge_index h(0); h < Index(patch.apexes.size()); ++h)
       m_arrays.set_apex(global(h), patch.apexes[h]);

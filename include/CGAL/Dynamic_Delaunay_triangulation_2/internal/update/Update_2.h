@@ -103,9 +103,7 @@ public:
     if (m_is_certified || !m_state.spans_plane() || is_any_parted())
       return m_is_certified;
     const Certificate_2<State> certificate(m_state);
-    m_is_certified = certificate.holds();
-    if constexpr (State::is_periodic)
-      m_is_certified = m_is_certified || (mend_gap(choices) && certificate.holds());
+    m_is_certified = certificate.holds() || (mend_gap(choices) && certificate.holds());
     return m_is_certified;
   }
 
@@ -446,7 +444,7 @@ private:
   bool mend_gap(const Choices& choices)
   {
     std::vector<Edge_index> edges;
-    if (m_state.torus().cell().is_slab())
+    if (m_state.has_gap())
       edges = m_tools.flips.illegal_edges_across_gap();
     if (edges.empty())
       return false;

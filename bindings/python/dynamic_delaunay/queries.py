@@ -1,7 +1,7 @@
 # Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""What queries of many places return: nearest points, points within a radius, weights; and alpha shapes."""
+"""What queries of many query points return: nearest points, points within a radius, weights; and alpha shapes."""
 
 from __future__ import annotations
 
@@ -15,56 +15,56 @@ from .errors import InputTypeError, InputValueError
 
 
 class NearestPoints(NamedTuple):
-    """The nearest point of each place. In periodic space it is an image: the point, moved by a shift."""
+    """The nearest point of each query point. In periodic space it is an image: the point, moved by a shift."""
 
     rows: NDArray[np.int32]
-    """int32 (places,): the row of the nearest point, the smallest one of several that are equally near; -1 if there are
+    """int32 (m,): the row of the nearest point, the smallest one of several that are equally near; -1 if there are
     no points"""
     distances: NDArray[np.float64]
-    """float64 (places,): how far it is; infinite if there are no points"""
+    """float64 (m,): how far it is; infinite if there are no points"""
     shifts: NDArray[np.int32]
-    """int32 (places, 2): the shift of its image, relative to the place as it is given; 0 in the plane"""
+    """int32 (m, 2): the shift of its image, relative to the query point as it is given; 0 in the plane"""
 
 
 class PointsWithin(NamedTuple):
-    """The points within a radius of each place, one list after the other, as in SciPy's CSR matrices:
-    ``scipy.sparse.csr_array((found.distances, found.indices, found.indptr), found.shape)``. Those of place ``i`` are
-    the entries from ``indptr[i]`` to before ``indptr[i + 1]``, by ascending rows."""
+    """The points within a radius of each query point, one list after the other, as in SciPy's CSR matrices:
+    ``scipy.sparse.csr_array((found.distances, found.indices, found.indptr), found.shape)``. Those of query point ``i``
+    are the entries from ``indptr[i]`` to before ``indptr[i + 1]``, by ascending rows."""
 
     indptr: NDArray[np.int32]
-    """int32 (places + 1,): where the list of each place begins"""
+    """int32 (m + 1,): where the list of each query point begins"""
     indices: NDArray[np.int32]
     """int32 (found,): the rows of the points"""
     distances: NDArray[np.float64]
     """float64 (found,): how far they are"""
     shifts: NDArray[np.int32]
-    """int32 (found, 2): the shifts of their images, relative to the place as it is given; 0 in the plane"""
+    """int32 (found, 2): the shifts of their images, relative to the query point as it is given; 0 in the plane"""
     shape: tuple[int, int]
-    """the numbers of places and of rows"""
+    """the numbers of query points and of rows"""
 
 
 class InterpolationWeights(NamedTuple):
-    """Weights by which values at the points are interpolated at places, one list after the other:
+    """Weights by which values at the points are interpolated at query points, one list after the other:
     ``scipy.sparse.csr_array((weights.weights, weights.indices, weights.indptr), weights.shape)`` is the matrix. In
     periodic space a point has an entry for each of its images.
 
-    The weights of a place are from 0 to 1, add up to 1, and reproduce linear functions. A place outside of all
+    The weights of a query point are from 0 to 1, add up to 1, and reproduce linear functions. One outside of all
     triangles has none."""
 
     indptr: NDArray[np.int32]
-    """int32 (places + 1,): where the list of each place begins"""
+    """int32 (m + 1,): where the list of each query point begins"""
     indices: NDArray[np.int32]
     """int32 (k,): the rows of the points, ascending in each list"""
     weights: NDArray[np.float64]
     """float64 (k,): their weights, off by 1e-12 at most"""
     shifts: NDArray[np.int32]
-    """int32 (k, 2): the shifts of their images, relative to the place as it is given; 0 in the plane"""
+    """int32 (k, 2): the shifts of their images, relative to the query point as it is given; 0 in the plane"""
     shape: tuple[int, int]
-    """the numbers of places and of rows"""
+    """the numbers of query points and of rows"""
 
     def interpolate(self, values: ArrayLike) -> NDArray[np.float64]:
-        """float64 (places,) for values (rows,), float64 (places, k) for values (rows, k): the weighted sums; NaN for
-        places without weights."""
+        """float64 (m,) for values (rows,), float64 (m, k) for values (rows, k): the weighted sums; NaN for
+        query points without weights."""
         try:
             array = np.asarray(values, dtype=np.float64)
         except TypeError as error:

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef BINDINGS_PLACE_QUERIES_H
-#define BINDINGS_PLACE_QUERIES_H
+#ifndef BINDINGS_POINT_QUERIES_H
+#define BINDINGS_POINT_QUERIES_H
 
 #include "bindings/common/Array_reading.h"
 #include "bindings/common/Row_iterator.h"
@@ -50,13 +50,13 @@ public:
     m_rows.push_back(m_row_numbers[id]);
     append(m_shifts, shift);
   }
-  // Also notes the distance from the place.
-  void add(const std::pair<std::size_t, Shift>& image, const Point& place)
+  // Also notes the distance from the query point.
+  void add(const std::pair<std::size_t, Shift>& image, const Point& query_point)
   {
     add(image.first, image.second);
-    m_distances.push_back(distance(image.first, image.second, place));
+    m_distances.push_back(distance(image.first, image.second, query_point));
   }
-  void add(std::size_t id, const Point& place) { add({id, {0, 0}}, place); }
+  void add(std::size_t id, const Point& query_point) { add({id, {0, 0}}, query_point); }
   void add_none()
   {
     m_rows.push_back(-1);
@@ -69,10 +69,10 @@ public:
   Array distances() { return {std::move(m_distances)}; }
 
 private:
-  double distance(std::size_t id, const Shift& shift, const Point& place) const
+  double distance(std::size_t id, const Shift& shift, const Point& query_point) const
   {
     const auto& p = m_dt.point(id);
-    double x = p.x() - place.x(), y = p.y() - place.y();
+    double x = p.x() - query_point.x(), y = p.y() - query_point.y();
     if constexpr (is_periodic_triangulation<Dynamic>) {
       const CGAL::Periodic_cell_2& cell = m_dt.cell();
       x += shift[0] * cell.ax() + shift[1] * cell.bx();
@@ -87,7 +87,7 @@ private:
   Doubles m_distances;
 };
 
-// Where the list of each place begins, and where the last one ends.
+// Where the list of each query point begins, and where the last one ends.
 inline Array begins_array(const std::vector<std::size_t>& begins)
 {
   check_length(begins.back());
@@ -99,22 +99,24 @@ inline Array begins_array(const std::vector<std::size_t>& begins)
   return {std::move(numbers)};
 }
 
-// Of each place the row of the nearest point, -1 if there are no points; its distance and shift.
-template <class Dynamic, class Places>
-std::vector<Array> nearest_arrays(const Dynamic& dt, const Row_numbers& rows, const Places& places)
+// Of each query point the row of the nearest point, -1 if there are no points; its distance and
+// shift.
+template <class Dynamic, class Query_points>
+std::vector<Array> nearest_arrays(const Dynamic& dt, const Row_numbers& rows,
+                                  const Query_points& query_points)
 {
   using Queries = CGAL::Delaunay_point_queries_2<Dynamic>;
   std::vector<std::optional<typename Queries::Answer>> answers;
-  Queries(dt).nearest(places.begin(), places.end(), std::back_inserter(answers));
+  Queries(dt).nearest(query_points.begin(), query_points.end(), std::back_inserter(answers));
   Found_images<Dynamic> found(dt, rows, answers.size());
-  auto place = places.begin();
+  auto query_point = query_points.begin();
   for (const auto& answer : answers) {
     if (answer) {
-      found.add(*answer, *place);
+      found.add(*answer, *query_point);
     } else {
       found.add_none();
     }
-    ++place;
+    ++query_point;
   }
   return {found.rows(), found.distances(), found.shifts()};
 }
@@ -134,9 +136,9 @@ inline double square_of_radius(double radius)
 }
 
 // Refuses a radius with which arrays of 32 bits could not hold what is found. In the plane each
-// point is found once for each place at most.
+// point is found once for each query point at most.
 template <class Dynamic>
-void check_number_of_images(const Dynamic& dt, std::size_t places, double radius)
+void check_number_of_images(const Dynamic& dt, std::size_t query_points, double radius)
 {
   if constexpr (is_periodic_triangulation<Dynamic>) {
     constexpr double most = (std::numeric_limits<std::int32_t>::max)(), pi = 3.14159;
@@ -144,7 +146,7 @@ void check_number_of_images(const Dynamic& dt, std::size_t places, double radius
     const double length = std::hypot(cell.ax(), cell.ay());
     const double area = std::abs(cell.ax() * cell.by() - cell.ay() * cell.bx());
     const double images = cell.is_slab() ? 2 * radius / length : pi * radius * (radius / area);
-    const double found = images * double(dt.number_of_points()) * double(places);
+    const double found = images * double(dt.number_of_points()) * double(query_points);
     if (found > 2 * most) { // well above, since the images in a circle vary
       throw std::invalid_argument("the radius is so large, compared to the cell, that about " +
                                   std::to_string(std::llround((std::min)(found, 1e18))) +
@@ -153,28 +155,30 @@ void check_number_of_images(const Dynamic& dt, std::size_t places, double radius
   }
 }
 
-// Where the list of each place begins; rows, distances and shifts of the points in its circle.
-template <class Dynamic, class Places>
-std::vector<Array> within_arrays(const Dynamic& dt, const Row_numbers& rows, const Places& places,
-                                 double radius)
+// Where the list of each query point begins; rows, distances and shifts of the points in its
+// circle.
+template <class Dynamic, class Query_points>
+std::vector<Array> within_arrays(const Dynamic& dt, const Row_numbers& rows,
+                                 const Query_points& query_points, double radius)
 {
   using Queries = CGAL::Delaunay_point_queries_2<Dynamic>;
-  const std::size_t size = std::size_t(places.end() - places.begin());
+  const std::size_t size = std::size_t(query_points.end() - query_points.begin());
   check_number_of_images(dt, size, radius);
   std::vector<typename Queries::Answer> answers;
   std::vector<std::size_t> begins;
-  Queries(dt).within(places.begin(), places.end(), square_of_radius(radius), answers, begins);
+  Queries(dt).within(query_points.begin(), query_points.end(), square_of_radius(radius), answers,
+                     begins);
   Found_images<Dynamic> found(dt, rows, answers.size());
   for (std::size_t i = 0; i < size; ++i) {
-    const auto place = *(places.begin() + std::ptrdiff_t(i));
+    const auto query_point = *(query_points.begin() + std::ptrdiff_t(i));
     for (std::size_t k = begins[i]; k < begins[i + 1]; ++k) {
-      found.add(answers[k], place);
+      found.add(answers[k], query_point);
     }
   }
   return {begins_array(begins), found.rows(), found.distances(), found.shifts()};
 }
 
-// Where the list of each place begins; rows, weights and shifts.
+// Where the list of each query point begins; rows, weights and shifts.
 template <class Dynamic>
 std::vector<Array> weight_arrays(const Dynamic& dt, const Row_numbers& rows,
                                  const CGAL::Interpolation_weights_2& weights)
@@ -258,19 +262,19 @@ template <class Dynamic>
 std::vector<Array> answer_arrays(const Dynamic& dt, const Row_numbers& rows,
                                  const Question& question)
 {
-  const auto places =
-      row_range(question.places.size, Read_point<typename Dynamic::Point>{question.places});
+  const auto query_points = row_range(question.query_points.size,
+                                      Read_point<typename Dynamic::Point>{question.query_points});
   CGAL::Interpolation_weights_2 weights;
   switch (question.query) {
   case Query::NEAREST:
-    return nearest_arrays(dt, rows, places);
+    return nearest_arrays(dt, rows, query_points);
   case Query::WITHIN:
-    return within_arrays(dt, rows, places, question.extent);
+    return within_arrays(dt, rows, query_points, question.extent);
   case Query::NATURAL_WEIGHTS:
-    weights.compute_natural_neighbor(dt, places.begin(), places.end());
+    weights.compute_natural_neighbor(dt, query_points.begin(), query_points.end());
     return weight_arrays(dt, rows, weights);
   case Query::LINEAR_WEIGHTS:
-    weights.compute_linear(dt, places.begin(), places.end());
+    weights.compute_linear(dt, query_points.begin(), query_points.end());
     return weight_arrays(dt, rows, weights);
   case Query::ALPHA_SHAPE:
     return alpha_arrays(dt, rows, question.extent);
@@ -280,4 +284,4 @@ std::vector<Array> answer_arrays(const Dynamic& dt, const Row_numbers& rows,
 
 } // namespace bindings
 
-#endif // BINDINGS_PLACE_QUERIES_H
+#endif // BINDINGS_POINT_QUERIES_H
