@@ -5,7 +5,6 @@
 // points that know no Delaunay neighbors, in long double.
 
 #include "oracle.h"
-#include "replaced_heap.h"
 #include "visible_cell.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
@@ -812,108 +811,6 @@ TEST(Surfaces, wind_around_a_torus_on_both_sides_of_a_strip)
     EXPECT_EQ(surface.windings()[line][1], 0);
   }
   EXPECT_EQ(surface.windings()[0][0], -surface.windings()[1][0]);
-}
-
-TEST(Memory, is_kept_for_another_calm_frame)
-{
-  Cloud<Epick> cloud(17);
-  Points points = cloud.uniform(400);
-  Plane plane = triangulation(points);
-  Torus torus(points, CGAL::Periodic_cell_2(20, 20));
-  Cells of_plane, of_torus;
-  of_plane.set_domain(triangle.begin(), triangle.end());
-  CGAL::Bounded_voronoi_gradients_2 gradients;
-  for (int frame = 0; frame < 5; ++frame) {
-    cloud.shake(points, 1e-7);
-    points[7] = points[8];
-    plane.update(points.begin(), points.end());
-    torus.update(points);
-    const std::size_t before = replaced_heap::number_of_allocations;
-    of_plane.compute(plane, 0.8);
-    of_torus.compute(torus, 0.8);
-    const std::size_t allocations = replaced_heap::number_of_allocations - before;
-    if (frame > 1) {
-      EXPECT_EQ(allocations, 0u) << "frame " << frame;
-    }
-    const Energy energy(of_plane);
-    gradients.compute(plane, of_plane, energy.area_weights, energy.length_weights);
-  }
-}
-
-TEST(Memory, may_run_out_and_leaves_neither_cells_nor_gradients)
-{
-  const Plane dt = triangulation(Cloud<Epick>(18).uniform(20));
-  bool has_run_out = true;
-  for (long allocations = 0; has_run_out; ++allocations) {
-    Cells cells;
-    CGAL::Bounded_voronoi_gradients_2 gradients;
-    has_run_out = false;
-    try {
-      const replaced_heap::Scarcity scarcity(allocations);
-      cells.compute(dt, 0.8);
-      gradients.compute(dt, cells, cells.areas(), Numbers(cells.pieces().size(), 1));
-    } catch (const std::bad_alloc&) {
-      has_run_out = true;
-      EXPECT_TRUE(gradients.by_positions().empty());
-      EXPECT_TRUE(cells.areas().empty() || cells.pieces().size() >= 20);
-      cells.compute(dt, 0.8);
-    }
-    EXPECT_EQ(cells.areas().size(), 20u);
-  }
-}
-
-TEST(Threads, change_nothing)
-{
-  using Shared = CGAL::Dynamic_Delaunay_triangulation_2<
-      Epick, CGAL::Default, CGAL::With_concurrency_2<CGAL::Parallel_if_available_tag>>;
-  const Points points = Cloud<Epick>(10).uniform(30000);
-  const Shared shared(points.begin(), points.end());
-  Cells alone, together;
-  alone.compute(triangulation(points), 0.6);
-  together.compute(shared, 0.6);
-  EXPECT_EQ(alone.areas(), together.areas());
-  EXPECT_EQ(alone.first_pieces(), together.first_pieces());
-  ASSERT_EQ(alone.pieces().size(), together.pieces().size());
-  for (std::size_t i = 0; i < alone.pieces().size(); ++i)
-    ASSERT_EQ(alone.pieces()[i].length, together.pieces()[i].length);
-}
-
-template <class Tag>
-using Periodic_by = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, CGAL::Default,
-                                                                    CGAL::With_concurrency_2<Tag>>;
-
-TEST(Threads, change_nothing_in_periodic_space)
-{
-  // so many faces are shared, in the torus also so many cells; a slab is built point by point
-  for (const auto& [number, cell] :
-       {std::pair<std::size_t, CGAL::Periodic_cell_2>(70000, {265, 267}),
-        std::pair<std::size_t, CGAL::Periodic_cell_2>(
-            34000, CGAL::Periodic_cell_2(Epick::Vector_2(185, 1)))}) {
-    Points points = Cloud<Epick>(10).uniform(number);
-    points[17] = points[33000]; // they have one cell
-    const Periodic_by<CGAL::Sequential_tag> one(points, cell);
-    const Periodic_by<CGAL::Parallel_if_available_tag> many(points, cell);
-    CGAL::Voronoi_cell_measures_2 alone, together;
-    alone.compute(one);
-    together.compute(many);
-    EXPECT_EQ(alone.areas(), together.areas());
-    EXPECT_EQ(alone.perimeters(), together.perimeters());
-    const Numbers weights(points.size(), 1), areas(one.number_of_ids(), 2);
-    CGAL::Voronoi_cell_gradients_2 gradients_alone, gradients_together;
-    gradients_alone.compute(one, areas, weights);
-    gradients_together.compute(many, areas, weights);
-    Cells cells_alone, cells_together;
-    cells_alone.compute(one, 0.6);
-    cells_together.compute(many, 0.6);
-    EXPECT_EQ(cells_alone.areas(), cells_together.areas());
-    EXPECT_EQ(cells_alone.first_pieces(), cells_together.first_pieces());
-    for (std::size_t id = 0; id < points.size(); ++id) {
-      ASSERT_EQ(alone.centroids()[id].x, together.centroids()[id].x);
-      ASSERT_EQ(gradients_alone.gradients()[id].x, gradients_together.gradients()[id].x);
-      ASSERT_EQ(gradients_alone.gradients()[id].y, gradients_together.gradients()[id].y);
-      ASSERT_EQ(cells_alone.centroids()[id].y, cells_together.centroids()[id].y);
-    }
-  }
 }
 
 } // namespace

@@ -6,7 +6,6 @@
 
 #include "domain_oracle.h"
 #include "oracle.h"
-#include "replaced_heap.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Bounded_voronoi_cells_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
@@ -862,50 +861,6 @@ TEST(Cells_in_domains, need_no_points)
   EXPECT_DOUBLE_EQ(cells.areas()[0], area(comb()));
   const Cells copy = cells;
   EXPECT_DOUBLE_EQ(copy.cell(triangulation({Point(2, 9)}), 0).area, area(comb()));
-}
-
-TEST(Memory, may_run_out_and_leaves_no_cells_of_the_last_call)
-{
-  const Plane dt = triangulation({Point(1, 1), Point(3, 1), Point(2, 3)});
-  bool has_run_out = true;
-  for (long allocations = 0; has_run_out; ++allocations) {
-    Cells cells(hall_with_pillars());
-    cells.compute(dt);
-    ASSERT_EQ(cells.first_rings().size(), 4u);
-    has_run_out = false;
-    try {
-      const replaced_heap::Scarcity scarcity(allocations);
-      cells.compute(dt, 0.8);
-    } catch (const std::bad_alloc&) {
-      has_run_out = true;
-      EXPECT_TRUE(cells.areas().empty() && cells.pieces().empty());
-      EXPECT_TRUE(cells.first_rings().empty() && cells.first_pieces().empty());
-      EXPECT_TRUE(cells.ring_areas().empty());
-    }
-  }
-}
-
-TEST(Cells_in_domains, are_the_same_by_threads)
-{
-  using Shared = CGAL::Dynamic_Delaunay_triangulation_2<
-      Epick, CGAL::Default, CGAL::With_concurrency_2<CGAL::Parallel_if_available_tag>>;
-  const Domain domain = hall_with_pillars();
-  std::mt19937 random(7);
-  Points points;
-  std::uniform_real_distribution<double> coordinate(0, 10);
-  while (points.size() < 80000) {
-    const double x = coordinate(random), y = coordinate(random);
-    if (std::abs(std::fmod(x, 3) - 2) > 0.5) // in no column of pillars
-      points.emplace_back(x, y);
-  }
-  const Shared shared(points.begin(), points.end());
-  Cells alone(domain), together(domain);
-  alone.compute(triangulation(points));
-  together.compute(shared);
-  EXPECT_EQ(alone.areas(), together.areas());
-  EXPECT_EQ(alone.first_rings(), together.first_rings());
-  EXPECT_EQ(alone.first_pieces(), together.first_pieces());
-  EXPECT_EQ(alone.ring_areas(), together.ring_areas());
 }
 
 } // namespace

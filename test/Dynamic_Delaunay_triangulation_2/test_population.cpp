@@ -54,24 +54,6 @@ double seconds_of(const std::function<void()>& work)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Plays so many turns. What a heuristic leaves is mended from time to time.
-template <class Dynamic>
-void play(Population_player<Dynamic>& player, int turns, int turns_per_mending = 0)
-{
-  ASSERT_NO_THROW(player.start());
-  for (int turn = 1; turn <= turns; ++turn) {
-    SCOPED_TRACE(testing::Message() << "turn " << turn);
-    ASSERT_NO_THROW(player.play());
-    if (testing::Test::HasFatalFailure())
-      return;
-    if (turns_per_mending > 0 && turn % turns_per_mending == 0) {
-      Dynamic& dt = player.triangulation();
-      ASSERT_TRUE(dt.mend().certified);
-      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, model_of(dt)));
-    }
-  }
-}
-
 // -------------------------------------------------------------------------------------------------
 // Points that come and go.
 
@@ -344,7 +326,7 @@ TYPED_TEST(Population, is_exact_whatever_happens_to_it)
     for (unsigned seed = 0; seed < 6; ++seed) {
       SCOPED_TRACE(testing::Message() << "side " << ground.side << ", seed " << seed);
       Population_player<typename TestFixture::Dynamic> player(ground, seed, 10 + 20 * (seed % 3));
-      ASSERT_NO_FATAL_FAILURE(play(player, 60));
+      ASSERT_NO_FATAL_FAILURE(player.play(60));
     }
 }
 
@@ -881,14 +863,18 @@ using Classifiers =
                    CGAL::Voronoi_edge_length_classifier_2, CGAL::Voronoi_circumcenter_classifier_2>;
 TYPED_TEST_SUITE(News, Classifiers);
 
-TYPED_TEST(News, tell_a_classifier_everything_that_has_changed_and_whose_the_numbers_are)
+TYPED_TEST(News, tell_all_that_has_changed_and_whose_the_numbers_are)
 {
+  using Watched = Watched_triangulation<Epick, TypeParam>;
   for (const Playground& ground : {Playground{7, false}, Playground{8, true}})
     for (unsigned seed = 0; seed < 4; ++seed) {
       SCOPED_TRACE(testing::Message() << "seed " << seed);
-      Population_player<Watched_triangulation<Epick, TypeParam>> player(ground, seed);
+      Population_player<Watched, void> player(ground, seed);
+      Population_player<Watched, std::int8_t> named(ground, seed);
       player.triangulation().classifier().watch(player.triangulation());
-      ASSERT_NO_FATAL_FAILURE(play(player, 150, TypeParam::is_exact ? 0 : 20));
+      named.triangulation().classifier().watch(named.triangulation());
+      ASSERT_NO_FATAL_FAILURE(player.play(150, TypeParam::is_exact ? 0 : 20));
+      ASSERT_NO_FATAL_FAILURE(named.play(60, TypeParam::is_exact ? 0 : 20));
     }
 }
 
@@ -950,7 +936,7 @@ void expect_valid_whatever_happens(const Playground& ground, unsigned seed,
                                    const std::function<Dynamic()>& empty)
 {
   Population_player<Dynamic> player(ground, seed, 80, empty);
-  play(player, 60, 15);
+  player.play(60, 15);
 }
 
 // The classifier sees the vertex where its representative was. The duplicate that becomes its

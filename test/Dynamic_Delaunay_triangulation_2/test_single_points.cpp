@@ -5,6 +5,7 @@
 // a look at all edges; an uncertified one must not become certified by a shortcut.
 
 #include "oracle.h"
+#include "population_player.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
@@ -186,75 +187,6 @@ TEST(Removals, of_many_vertices_in_one_call_are_exact_whether_they_are_at_the_hu
   }
 }
 
-// A program that changes one point at a time. Few places, so that points coincide and are on lines
-// and circles; from time to time there are hardly any points.
-class Any_single_changes
-{
-public:
-  explicit Any_single_changes(unsigned seed)
-    : m_random(seed)
-    , m_is_lattice(seed % 2 == 0)
-    , m_most(6 + seed % 5 * 15)
-  {
-  }
-
-  void run(std::size_t steps, std::size_t steps_between_looks)
-  {
-    for (std::size_t step = 0; step < steps; ++step) {
-      change();
-      if (step % steps_between_looks == 0) {
-        ASSERT_NO_FATAL_FAILURE(expect_exact(m_dt, m_model)) << "step " << step;
-      }
-      ASSERT_TRUE(m_dt.is_certified());
-    }
-    expect_exact(m_dt, m_model);
-  }
-
-private:
-  Point place()
-  {
-    if (m_is_lattice)
-      return Point(double(m_random() % 9), double(m_random() % 7));
-    return random_point_between<Point>(0, 9, m_random);
-  }
-
-  Point beside(const Point& p)
-  {
-    if (m_is_lattice)
-      return Point(p.x() + double(m_random() % 3) - 1, p.y() + double(m_random() % 3) - 1);
-    std::normal_distribution<double> step(0, 0.2);
-    const double dx = step(m_random);
-    return Point(p.x() + dx, p.y() + step(m_random));
-  }
-
-  void change()
-  {
-    m_is_growing =
-        m_model.size() < 2 || (m_is_growing ? m_model.size() < m_most : m_random() % 500 == 0);
-    const unsigned kind = m_random() % 8;
-    if (m_model.empty() || kind < (m_is_growing ? 3 : 2)) {
-      const Point p = place();
-      m_model.emplace(m_dt.insert(p), p);
-      return;
-    }
-    const auto any = std::next(m_model.begin(), std::ptrdiff_t(m_random() % m_model.size()));
-    if (kind < 4) {
-      m_dt.remove(any->first);
-      m_model.erase(any);
-    } else {
-      any->second = kind < 6 ? place() : beside(any->second);
-      m_dt.move(any->first, any->second);
-    }
-  }
-
-  std::mt19937 m_random;
-  bool m_is_lattice;
-  std::size_t m_most;
-  bool m_is_growing = true;
-  Dynamic m_dt;
-  Model<Dynamic> m_model;
-};
-
 std::size_t number_of_steps()
 {
   const char* const steps = std::getenv("DYNAMIC_DELAUNAY_SINGLE_CHANGES");
@@ -266,7 +198,8 @@ TEST(Single_changes, are_exact_whatever_comes_goes_and_moves_near_or_far)
   constexpr unsigned seeds = 20;
   for (unsigned seed = 0; seed < seeds; ++seed) {
     SCOPED_TRACE(seed);
-    ASSERT_NO_FATAL_FAILURE(Any_single_changes(seed).run(number_of_steps() / seeds, 5));
+    Population_player<Dynamic> player({9, seed % 2 == 0, true}, seed, 6 + seed % 5 * 15);
+    ASSERT_NO_FATAL_FAILURE(player.play(int(number_of_steps() / seeds)));
   }
 }
 

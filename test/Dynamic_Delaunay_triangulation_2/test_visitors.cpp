@@ -180,11 +180,8 @@ TYPED_TEST(Listening, knows_who_comes_goes_meets_and_parts)
   for (const bool is_lattice : {true, false})
     for (unsigned seed = 0; seed < 3; ++seed) {
       Population_player<TypeParam> player({is_lattice ? 6 : 5, is_lattice}, seed, 40);
-      ASSERT_NO_THROW(player.start());
-      for (int i = 0; i < 150; ++i) {
-        ASSERT_NO_THROW(player.play()) << seed << ", " << i;
-        ASSERT_FALSE(this->HasFailure()) << seed << ", " << i;
-      }
+      ASSERT_NO_FATAL_FAILURE(player.play(150)) << seed;
+      ASSERT_FALSE(this->HasFailure()) << seed;
       const Hearsay& hearsay = player.triangulation().visitor().hearsay();
       EXPECT_GT(hearsay.removals, 0);
       EXPECT_TRUE(hearsay.merges > 0 || !is_lattice);
@@ -213,9 +210,7 @@ TEST(Visitor, is_told_of_flips_alone_where_flips_mend_all)
 TEST(Visitor, is_told_of_points_that_hand_their_vertex_over)
 {
   Population_player<Visited<Listener>> player({4, true}, 7, 60);
-  ASSERT_NO_THROW(player.start());
-  for (int i = 0; i < 200; ++i)
-    ASSERT_NO_THROW(player.play());
+  ASSERT_NO_FATAL_FAILURE(player.play(200));
   const auto& dt = player.triangulation();
   EXPECT_GT(dt.visitor().hearsay().id_changes, 0);
   EXPECT_GT(dt.visitor().hearsay().merges, 0);

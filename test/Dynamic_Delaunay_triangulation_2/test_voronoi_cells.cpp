@@ -5,9 +5,7 @@
 // bisectors with all images, and gradients, compared with finite differences.
 
 #include "oracle.h"
-#include "replaced_heap.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Random_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_gradients_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cell_measures_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Voronoi_cells_2.h>
@@ -20,7 +18,6 @@
 #include <iterator>
 #include <limits>
 #include <map>
-#include <new>
 #include <numeric>
 #include <random>
 #include <set>
@@ -720,123 +717,6 @@ TEST(Cells_of_a_slab, are_those_of_a_plane_full_of_its_images_and_unbounded_at_i
     }
   }
   EXPECT_EQ(unbounded, 2u);
-}
-
-// -------------------------------------------------------------------------------------------------
-// All of them.
-
-template <class Dynamic>
-void expect_refused(const Dynamic& dt)
-{
-  using Error = CGAL::Uncertified_triangulation_error_2;
-  const Numbers weights(dt.number_of_ids());
-  Polygon corners;
-  EXPECT_THROW(Measures().compute(dt), Error);
-  EXPECT_THROW(Gradients().compute(dt, weights, weights), Error);
-  EXPECT_THROW(CGAL::for_each_voronoi_edge(dt, [](auto...) {}), Error);
-  EXPECT_THROW(CGAL::voronoi_cell_corners(dt, 0, std::back_inserter(corners)), Error);
-}
-
-TEST(Without_a_certificate, there_are_no_cells_in_the_plane)
-{
-  Cloud<Epick> cloud(9);
-  auto points = cloud.uniform(100);
-  CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Random_classifier_2> dt(
-      points.begin(), points.end(), CGAL::Random_classifier_2(0.01));
-  cloud.shake(points, 0.2);
-  dt.update(points.begin(), points.end());
-  ASSERT_FALSE(dt.is_certified());
-  expect_refused(dt);
-}
-
-TEST(Without_a_certificate, there_are_no_cells_in_periodic_space)
-{
-  const Periodic_cell cell(9, 9);
-  std::mt19937 random(16);
-  bool was_interrupted = false;
-  for (long allocations = 0; !was_interrupted && allocations < 200; ++allocations) {
-    Torus torus(random_points(random, 10, cell), cell);
-    const Points more = random_points(random, 100, cell);
-    std::vector<std::size_t> ids(more.size());
-    try {
-      const replaced_heap::Scarcity scarcity(allocations);
-      torus.insert(more.begin(), more.end(), ids.begin());
-    } catch (const std::bad_alloc&) {
-    }
-    was_interrupted = !torus.is_certified();
-    if (was_interrupted) {
-      expect_refused(torus);
-      torus.insert(Point(1, 1));
-      Measures measures;
-      measures.compute(torus);
-      EXPECT_NEAR(sum(measures.areas()), 81, 1e-11);
-    }
-  }
-  EXPECT_TRUE(was_interrupted);
-}
-
-// Computes everything about cells, and returns the number of allocations.
-template <class Dynamic>
-std::size_t allocations_of(const Dynamic& dt, Measures& measures, Gradients& gradients,
-                           const Numbers& weights, Polygon& corners)
-{
-  const std::size_t before = replaced_heap::number_of_allocations;
-  measures.compute(dt);
-  gradients.compute(dt, weights, weights);
-  double total = 0;
-  CGAL::for_each_voronoi_edge(dt, [&](std::size_t, std::size_t, const auto&... last) {
-    total += (double(sizeof(last)) + ...);
-  });
-  EXPECT_GT(total, 0);
-  for (std::size_t id = 0; id < dt.number_of_ids(); ++id)
-    CGAL::voronoi_cell_corners(dt, id, corners.begin());
-  return replaced_heap::number_of_allocations - before;
-}
-
-TEST(Another_calm_frame, allocates_nothing)
-{
-  Cloud<Epick> cloud(17);
-  auto points = cloud.uniform(400);
-  points[7] = points[8];
-  Plane plane(points.begin(), points.end());
-  Torus torus(points, Periodic_cell(20, 20));
-  Measures of_plane, of_torus;
-  Gradients forces_of_plane, forces_of_torus;
-  const Numbers weights(points.size(), 1.5);
-  Polygon corners(100);
-  for (int frame = 0; frame < 5; ++frame) {
-    cloud.shake(points, 1e-6);
-    points[7] = points[8];
-    plane.update(points.begin(), points.end());
-    torus.update(points);
-    const std::size_t allocations =
-        allocations_of(plane, of_plane, forces_of_plane, weights, corners) +
-        allocations_of(torus, of_torus, forces_of_torus, weights, corners);
-    if (frame > 0) {
-      EXPECT_EQ(allocations, 0u) << "frame " << frame;
-    }
-  }
-}
-
-TEST(Gradients, are_gone_if_memory_runs_out_and_can_be_had_again)
-{
-  std::mt19937 random(18);
-  const Torus torus(random_points(random, 20, Periodic_cell(4, 4)), Periodic_cell(4, 4));
-  const Numbers weights = random_numbers(random, 20);
-  bool has_run_out = true;
-  for (long allocations = 0; has_run_out; ++allocations) {
-    Gradients gradients;
-    has_run_out = false;
-    try {
-      const replaced_heap::Scarcity scarcity(allocations);
-      gradients.compute(torus, weights, weights);
-    } catch (const std::bad_alloc&) {
-      has_run_out = true;
-      EXPECT_TRUE(gradients.gradients().empty());
-      gradients.compute(torus, weights, weights);
-    }
-    EXPECT_EQ(gradients.gradients().size(), 20u);
-  }
 }
 
 } // namespace test_voronoi_cells

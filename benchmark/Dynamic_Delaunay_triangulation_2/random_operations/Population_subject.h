@@ -11,6 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -31,6 +33,8 @@ public:
     , m_population(maker.empty())
   {
   }
+
+  Population& population() { return m_population; }
 
   // Negative names wrap around to large ones where names are unsigned.
   Key_range names() const override
@@ -118,9 +122,28 @@ private:
     return report;
   }
 
+  // Points that stay keep their ids; new ones get the smallest that are free after all removals.
   CGAL::Update_report_2 update(const Named_points& points)
   {
-    return m_population.update(points.begin(), points.end());
+    std::map<Name, std::size_t> ids;
+    std::set<std::size_t> taken;
+    for (const auto& [name, point] : points) {
+      if (m_population.has(name)) {
+        taken.insert(ids[name] = m_population.id(name));
+      }
+    }
+    const auto report = m_population.update(points.begin(), points.end());
+    std::size_t free_id = 0;
+    for (const auto& [name, point] : points) {
+      if (ids.count(name) == 0) {
+        while (!taken.insert(free_id).second) {
+          ++free_id;
+        }
+        ids[name] = free_id;
+      }
+      require(m_population.id(name) == ids[name], Fault::LOST, "a point has another id");
+    }
+    return report;
   }
 
   void misuse(Misuse way, Named_points entries)

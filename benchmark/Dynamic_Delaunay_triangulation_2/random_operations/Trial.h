@@ -28,6 +28,7 @@ struct Surroundings
   // A test watches the subject's triangulation, so the object is kept: it starts with an insertion,
   // and is never handed over.
   bool is_watched = false;
+  bool moves_singly = false; // moves no two points in one call, but for whole frames
 };
 
 // A row of operations on one triangulation. Everything about it comes from `decisions`.
@@ -209,7 +210,10 @@ private:
 
   void move()
   {
-    Entries moves = entries(somebodies(m_decisions.one_in(4) ? model().size() : 4));
+    const std::size_t most = m_surroundings.moves_singly ? 1
+                             : m_decisions.one_in(4)     ? model().size()
+                                                         : 4;
+    Entries moves = entries(somebodies(most));
     change(m_family.moves, moves);
     m_operations.perform({Operation::MOVE, moves});
   }
