@@ -109,11 +109,12 @@ std::vector<Vertex_set> sets_of_vertices(const Run& run)
 template <class Frame>
 std::vector<bool> are_faces_delaunay(const Frame& frame)
 {
-  using Index = typename Frame::Index;
+  using Edge_index = typename Frame::Edge_index;
+  using Face_index = typename Frame::Face_index;
   std::vector<bool> are_delaunay(frame.number_of_faces(), true);
-  for (Index e = 0; e != frame.number_of_edges(); ++e) {
+  for (Edge_index e(0); e != frame.number_of_edges(); ++e) {
     if (!frame.is_delaunay(e)) {
-      for (const Index f : frame.faces_at(e)) {
+      for (const Face_index f : frame.faces_at(e)) {
         are_delaunay[f] = false;
       }
     }

@@ -65,7 +65,7 @@ public:
   {
     const std::vector<std::uint32_t> places = places_of_ids();
     const auto frame = triangulation().frame();
-    typename Dynamic::Frame::Index e = 0;
+    typename Dynamic::Frame::Edge_index e(0);
     std::vector<Shown_edge> edges;
     triangulation().for_each_edge(
         [&](std::size_t i, std::size_t j, const CGAL::Periodic_shift_2& shift) {
@@ -81,7 +81,7 @@ public:
   {
     const auto frame = triangulation().frame();
     const std::vector<bool> are_delaunay = are_faces_delaunay(frame);
-    typename Dynamic::Frame::Index f = 0;
+    typename Dynamic::Frame::Face_index f(0);
     std::vector<Shown_triangle> triangles;
     for (const Periodic_face& face : faces()) {
       while (is_in_gap(frame.face_corners(f))) {

@@ -59,14 +59,13 @@ public:
     const std::vector<std::uint32_t> places = places_of_vertices();
     const auto frame = triangulation().frame();
     const bool is_on_line = frame.number_of_edges() == 0; // where every edge is Delaunay
-    Index e = 0;
+    Edge_index e(0);
     std::vector<Shown_edge> edges;
     triangulation().for_each_edge([&](std::size_t i, std::size_t j) {
       while (!is_on_line && Frame::is_infinite(frame.edge(e))) {
         ++e;
       }
-      edges.push_back({places[frame.vertex(static_cast<Index>(i))],
-                       places[frame.vertex(static_cast<Index>(j))],
+      edges.push_back({places[frame.vertex(i)], places[frame.vertex(j)],
                        is_on_line || frame.is_delaunay(e++)});
     });
     return edges;
@@ -78,7 +77,7 @@ public:
     const auto frame = triangulation().frame();
     const std::vector<bool> are_delaunay = are_faces_delaunay(frame);
     std::vector<Shown_triangle> triangles;
-    for (Index f = 0; f != frame.number_of_faces(); ++f) {
+    for (Face_index f(0); f != frame.number_of_faces(); ++f) {
       const auto [a, b, c] = frame.face(f);
       if (!Frame::is_infinite(a) && !Frame::is_infinite(b) && !Frame::is_infinite(c)) {
         triangles.push_back({{places[a], places[b], places[c]}, are_delaunay[f]});
@@ -89,7 +88,8 @@ public:
 
 private:
   using Frame = typename Dynamic::Frame;
-  using Index = typename Frame::Index;
+  using Edge_index = typename Frame::Edge_index;
+  using Face_index = typename Frame::Face_index;
 
   double agreement() override
   {

@@ -153,8 +153,8 @@ std::vector<Array> edge_arrays(const Dynamic& dt, const Row_numbers& rows)
 
 // Sets what is across an edge of a face, beside the corner that is opposite to the edge.
 template <class Frame>
-void set_neighbor(const Frame& frame, const Integers& numbers, typename Frame::Index face,
-                  typename Frame::Index opposite, std::int32_t neighbor, Integers& neighbors)
+void set_neighbor(const Frame& frame, const Integers& numbers, typename Frame::Face_index face,
+                  typename Frame::Vertex_index opposite, std::int32_t neighbor, Integers& neighbors)
 {
   if (numbers[face] < 0) {
     return;
@@ -171,24 +171,26 @@ void set_neighbor(const Frame& frame, const Integers& numbers, typename Frame::I
 template <class Dynamic>
 std::vector<Array> planar_triangle_arrays(const Dynamic& dt, const Row_numbers& rows)
 {
-  using Index = typename Dynamic::Frame::Index;
+  using Edge_index = typename Dynamic::Frame::Edge_index;
+  using Face_index = typename Dynamic::Frame::Face_index;
+  using Vertex_index = typename Dynamic::Frame::Vertex_index;
   const auto frame = dt.frame();
   const bool has_faces = dt.tds().dimension() == 2;
   Integers corners, numbers(has_faces ? frame.number_of_faces() : 0, -1);
   corners.reserve(3 * numbers.size());
-  for (Index f = 0; f < numbers.size(); ++f) {
+  for (Face_index f(0); f < numbers.size(); ++f) {
     const auto vertices = frame.face(f);
     if (frame.is_infinite(vertices[0]) || frame.is_infinite(vertices[1]) ||
         frame.is_infinite(vertices[2])) {
       continue;
     }
     numbers[f] = std::int32_t(corners.size() / 3);
-    for (const Index v : vertices) {
+    for (const Vertex_index v : vertices) {
       corners.push_back(rows[frame.id(v)]);
     }
   }
   Integers neighbors(corners.size(), -1);
-  for (Index e = 0; has_faces && e < frame.number_of_edges(); ++e) {
+  for (Edge_index e(0); has_faces && e < frame.number_of_edges(); ++e) {
     const auto& edge = frame.edge(e);
     const auto [left, right] = frame.faces_at(e);
     set_neighbor(frame, numbers, left, edge.left, numbers[right], neighbors);
@@ -335,7 +337,7 @@ Array set_array(const Dynamic& dt, const Row_numbers& rows)
 // Whether an edge is one of those that `for_each_edge()` passes over: at infinity, or across the
 // gap of a slab.
 template <bool is_periodic, class Frame>
-bool is_passed_over(const Frame& frame, typename Frame::Index e)
+bool is_passed_over(const Frame& frame, typename Frame::Edge_index e)
 {
   if constexpr (is_periodic) {
     return std::isnan(frame.edge_vector(e).x);
@@ -349,7 +351,7 @@ template <class Dynamic>
 std::vector<Array> broken_edge_arrays(const Dynamic& dt, const Row_numbers& rows)
 {
   const auto frame = dt.frame();
-  typename Dynamic::Frame::Index e = 0;
+  typename Dynamic::Frame::Edge_index e(0);
   Integers edges, shifts;
   if (dt.is_certified() || frame.number_of_edges() == 0) { // on a line every edge is Delaunay
     return {{std::move(edges), {2}}, {std::move(shifts), {2}}};

@@ -212,7 +212,7 @@ Integers alpha_classes_on_line(const Dynamic& dt, double alpha)
 
 // Whether a face is one of those that `for_each_face()` passes over.
 template <bool is_periodic, class Frame>
-bool is_passed_over_face(const Frame& frame, typename Frame::Index f)
+bool is_passed_over_face(const Frame& frame, typename Frame::Face_index f)
 {
   if constexpr (is_periodic) {
     return frame.state().is_in_gap(f);
@@ -226,7 +226,8 @@ bool is_passed_over_face(const Frame& frame, typename Frame::Index f)
 template <class Dynamic>
 std::vector<Array> alpha_arrays(const Dynamic& dt, const Row_numbers& rows, double alpha)
 {
-  using Index = typename Dynamic::Frame::Index;
+  using Edge_index = typename Dynamic::Frame::Edge_index;
+  using Face_index = typename Dynamic::Frame::Face_index;
   constexpr bool is_periodic = is_periodic_triangulation<Dynamic>;
   CGAL::Delaunay_alpha_shape_2 shape;
   shape.compute(dt, alpha);
@@ -237,12 +238,12 @@ std::vector<Array> alpha_arrays(const Dynamic& dt, const Row_numbers& rows, doub
       points.push_back(std::int32_t(shape.points()[id]));
     }
   }
-  for (Index e = 0; e < shape.edges().size(); ++e) {
+  for (Edge_index e(0); e < shape.edges().size(); ++e) {
     if (!is_passed_over<is_periodic>(frame, e)) {
       edges.push_back(std::int32_t(shape.edges()[e]));
     }
   }
-  for (Index f = 0; f < shape.faces().size(); ++f) {
+  for (Face_index f(0); f < shape.faces().size(); ++f) {
     if (!is_passed_over_face<is_periodic>(frame, f)) {
       faces.push_back(std::int32_t(shape.faces()[f]));
     }

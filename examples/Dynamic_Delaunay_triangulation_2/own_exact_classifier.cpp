@@ -8,7 +8,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <iostream>
 #include <random>
 #include <vector>
@@ -29,7 +28,7 @@ struct All_edges_classifier
     classified.add_unless_delaunay(frame, unproved);
   }
 
-  std::vector<std::uint32_t> unproved;
+  std::vector<CGAL::Dynamic_Delaunay_triangulations_2::Edge_index> unproved;
 };
 //! [classifier]
 

@@ -109,7 +109,9 @@ class Dynamic_Delaunay_triangulation_2
 {
   using Base = Dynamic_triangulation_base_2<Dynamic_Delaunay_triangulation_2>;
   friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
-  using typename Base::Index;
+  using typename Base::Face_index;
+  using typename Base::Point_id;
+  using typename Base::Vertex_index;
   using typename Base::State;
   template <class Range>
   using If_range = typename Base::template If_range<Range>;
@@ -216,7 +218,10 @@ public:
   const Triangulation_data_structure& tds() const { return m_core->state.triangulation().tds(); }
 
   /// the infinite vertex of `tds()`.
-  Vertex_handle infinite_vertex() const { return m_core->state.vertex_handle(0); }
+  Vertex_handle infinite_vertex() const
+  {
+    return m_core->state.vertex_handle(Dynamic_Delaunay_triangulations_2::internal::infinite_index);
+  }
 
   /// the vertex of a point. The handle is valid until the next call that changes the triangulation.
   /// \throws Unknown_id_error_2 if no point has this id.
@@ -231,8 +236,8 @@ public:
   {
     const Vertex_handle representative = vertex(id);
     const auto& ids = m_core->state.ids();
-    return ids.is_representative(Index(id)) ? representative->point()
-                                            : ids.duplicate(Index(id)).point;
+    return ids.is_representative(Point_id(id)) ? representative->point()
+                                               : ids.duplicate(Point_id(id)).point;
   }
 
   /// the id of the point at a finite vertex. If several points share the vertex, this is the id of
@@ -267,7 +272,7 @@ public:
     const auto& state = m_core->state;
     if (!state.spans_plane())
       return;
-    for (Index face = 0; face < state.arrays().number_of_faces(); ++face) {
+    for (Face_index face(0); face < state.arrays().number_of_faces(); ++face) {
       const auto [u, v, w] = state.face(face);
       if (!Frame::is_infinite(u) && !Frame::is_infinite(v) && !Frame::is_infinite(w))
         f(std::array<size_type, 3>{state.ids().representative(u), state.ids().representative(v),
@@ -305,7 +310,7 @@ private:
   }
 
   template <class Function>
-  void call_with_ids(Function& f, Index v, Index w) const
+  void call_with_ids(Function& f, Vertex_index v, Vertex_index w) const
   {
     const auto& ids = m_core->state.ids();
     if (!Frame::is_infinite(v) && !Frame::is_infinite(w))

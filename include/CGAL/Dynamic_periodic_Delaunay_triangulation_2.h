@@ -112,7 +112,10 @@ class Dynamic_periodic_Delaunay_triangulation_2
   using Arrays = Dynamic_Delaunay_triangulations_2::internal::Halfedge_arrays_2;
   using typename Base::Floating_point;
   using typename Base::Identity_map;
-  using typename Base::Index;
+  using typename Base::Edge_index;
+  using typename Base::Face_index;
+  using typename Base::Halfedge_index;
+  using typename Base::Point_id;
   template <class Range>
   using If_range = typename Base::template If_range<Range>;
   template <class Map>
@@ -253,7 +256,7 @@ public:
     if (!cell().is_slab())
       return 2 * this->number_of_vertices();
     size_type faces = 0;
-    for (Index f = 0; f < m_core->state.arrays().number_of_faces(); ++f)
+    for (Face_index f(0); f < m_core->state.arrays().number_of_faces(); ++f)
       faces += !m_core->state.is_in_gap(f);
     return faces;
   }
@@ -261,7 +264,7 @@ public:
   Point point(size_type id) const
   {
     this->vertex_of(id); // throws if no point has this id
-    return m_core->state.point_of_id(Index(id));
+    return m_core->state.point_of_id(Point_id(id));
   }
 
   /// the vector from point i to the image of point j by `shift`, rounded.
@@ -280,9 +283,9 @@ public:
   void for_each_edge(const Function& f) const
   {
     const auto& state = m_core->state;
-    for (Index e = 0; e < state.arrays().number_of_edges(); ++e) {
-      const Index h = state.arrays().halfedge(e);
-      const Index from = Arrays::next(h), to = Arrays::previous(h);
+    for (Edge_index e(0); e < state.arrays().number_of_edges(); ++e) {
+      const Halfedge_index h = state.arrays().halfedge(e);
+      const Halfedge_index from = Arrays::next(h), to = Arrays::previous(h);
       if (!state.are_across(from, to))
         f(size_type(state.id_at(from)), size_type(state.id_at(to)), state.shift_between(from, to));
     }
@@ -295,8 +298,8 @@ public:
   void for_each_boundary_edge(const Function& f) const
   {
     const auto& state = m_core->state;
-    for (Index h = 0; h < state.arrays().number_of_halfedges(); ++h) {
-      const Index from = Arrays::previous(h), to = Arrays::next(h);
+    for (Halfedge_index h(0); h < state.arrays().number_of_halfedges(); ++h) {
+      const Halfedge_index from = Arrays::previous(h), to = Arrays::next(h);
       if (state.is_in_gap(Arrays::face_of(h)) && !state.are_across(from, to))
         f(size_type(state.id_at(from)), size_type(state.id_at(to)), state.shift_between(from, to));
     }
@@ -309,7 +312,7 @@ public:
   void for_each_face(const Function& f) const
   {
     const auto& state = m_core->state;
-    for (Index h = 0; h < state.arrays().number_of_halfedges(); h += 3)
+    for (Halfedge_index h(0); h < state.arrays().number_of_halfedges(); h += 3)
       if (!state.is_in_gap(Arrays::face_of(h)))
         f(std::array<size_type, 3>{state.id_at(h), state.id_at(h + 1), state.id_at(h + 2)},
           std::array<Periodic_shift_2, 3>{state.shift_between(h, h), state.shift_between(h, h + 1),

@@ -61,7 +61,8 @@ class Indexed_triangulation_data_structure_2
       Dynamic_Delaunay_triangulations_2::internal::Indexed_storage_2<typename Traits::Point_2,
                                                                      VertexInfo, FaceInfo>;
   using Base = Dynamic_Delaunay_triangulations_2::internal::Indexed_tds_base_2<Storage>;
-  using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
+  using Face_index = Dynamic_Delaunay_triangulations_2::Face_index;
 
 public:
   /// \name Types
@@ -246,12 +247,12 @@ public:
   /// the handle of the vertex with this index. \pre there is one.
   Vertex_handle vertex_handle(std::size_t index) const
   {
-    return Vertex_handle(m_storage.get(), Index(index));
+    return Vertex_handle(m_storage.get(), Vertex_index(index));
   }
   /// the handle of the face with this index. \pre there is one.
   Face_handle face_handle(std::size_t index) const
   {
-    return Face_handle(m_storage.get(), Index(index));
+    return Face_handle(m_storage.get(), Face_index(index));
   }
 
   /// whether elements that were removed have left unused indices. New elements get these first.

@@ -182,7 +182,7 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    for (typename Frame::Index e = 0; e < frame.number_of_edges(); ++e)
+    for (typename Frame::Edge_index e(0); e < frame.number_of_edges(); ++e)
       if (!frame.is_delaunay(e))
         classified.add_edge(e);
   }

@@ -52,7 +52,9 @@ public:
   }
 
 private:
-  using Index = CGAL::Dynamic_Delaunay_triangulations_2::Index;
+  using Edge_index = CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
+  using Face_index = CGAL::Dynamic_Delaunay_triangulations_2::Face_index;
+  using Vertex_index = CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
   using Stamps_of_edge = std::array<std::size_t, 4>; // of both ends, and of both vertices opposite
   using Stamps_of_face = std::array<std::size_t, 3>;
 
@@ -64,11 +66,11 @@ private:
     m_vertices.clear();
     m_edges.clear();
     m_faces.clear();
-    for (Index v = 0; v <= frame.number_of_vertices(); ++v)
+    for (Vertex_index v(0); v <= frame.number_of_vertices(); ++v)
       m_vertices.push_back(stamp(frame, v));
-    for (Index e = 0; e < frame.number_of_edges(); ++e)
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e)
       m_edges.push_back(stamps_of_edge(frame, e));
-    for (Index f = 0; f < frame.number_of_faces(); ++f)
+    for (Face_index f(0); f < frame.number_of_faces(); ++f)
       m_faces.push_back(stamps_of_face(frame, f));
   }
 
@@ -76,12 +78,12 @@ private:
   void compare(const Frame& frame)
   {
     const std::set<std::size_t> known(m_vertices.begin(), m_vertices.end());
-    frame.follow_vertices(m_vertices, [&](Index v) {
+    frame.follow_vertices(m_vertices, [&](Vertex_index v) {
       EXPECT_EQ(known.count(stamp(frame, v)), 0u) << "vertex " << v << " has not come";
       return stamp(frame, v);
     });
     ASSERT_EQ(m_vertices.size(), frame.number_of_vertices() + std::size_t(1));
-    for (Index v = 0; v <= frame.number_of_vertices(); ++v)
+    for (Vertex_index v(0); v <= frame.number_of_vertices(); ++v)
       ASSERT_EQ(m_vertices[v], stamp(frame, v)) << "vertex " << v;
     compare_edges(frame);
     compare_faces(frame);
@@ -92,9 +94,9 @@ private:
   {
     frame.follow_edges(m_edges);
     ASSERT_EQ(m_edges.size(), frame.number_of_edges());
-    std::set<Index> changed;
-    frame.for_each_changed_edge([&](Index e) { changed.insert(e); });
-    for (Index e = 0; e < frame.number_of_edges(); ++e) {
+    std::set<Edge_index> changed;
+    frame.for_each_changed_edge([&](Edge_index e) { changed.insert(e); });
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const Stamps_of_edge now = stamps_of_edge(frame, e);
       if (changed.count(e) == 0) {
         ASSERT_EQ(m_edges[e], now) << "edge " << e;
@@ -108,9 +110,9 @@ private:
   {
     frame.follow_faces(m_faces);
     ASSERT_EQ(m_faces.size(), frame.number_of_faces());
-    std::set<Index> changed;
-    frame.for_each_changed_face([&](Index f) { changed.insert(f); });
-    for (Index f = 0; f < frame.number_of_faces(); ++f) {
+    std::set<Face_index> changed;
+    frame.for_each_changed_face([&](Face_index f) { changed.insert(f); });
+    for (Face_index f(0); f < frame.number_of_faces(); ++f) {
       const Stamps_of_face now = stamps_of_face(frame, f);
       if (changed.count(f) == 0) {
         ASSERT_EQ(m_faces[f], now) << "face " << f;
@@ -120,13 +122,13 @@ private:
   }
 
   template <class Frame>
-  std::size_t stamp(const Frame& frame, Index v) const
+  std::size_t stamp(const Frame& frame, Vertex_index v) const
   {
     return frame.is_infinite(v) ? at_infinity : (*m_stamp_of_id)(frame.id(v));
   }
 
   template <class Frame>
-  Stamps_of_edge stamps_of_edge(const Frame& frame, Index e) const
+  Stamps_of_edge stamps_of_edge(const Frame& frame, Edge_index e) const
   {
     const auto& edge = frame.edge(e);
     Stamps_of_edge stamps{stamp(frame, edge.source), stamp(frame, edge.target),
@@ -137,7 +139,7 @@ private:
   }
 
   template <class Frame>
-  Stamps_of_face stamps_of_face(const Frame& frame, Index f) const
+  Stamps_of_face stamps_of_face(const Frame& frame, Face_index f) const
   {
     const auto face = frame.face(f);
     Stamps_of_face stamps{stamp(frame, face[0]), stamp(frame, face[1]), stamp(frame, face[2])};

@@ -76,7 +76,7 @@ void add_frame(Digest& digest, const Report& report, const Frame& frame)
 {
   digest.add(std::uint64_t(report.flips));
   digest.add(std::uint64_t(report.rebuilt()));
-  for (std::uint32_t e = 0; e < frame.number_of_edges(); ++e) {
+  for (typename Frame::Edge_index e(0); e < frame.number_of_edges(); ++e) {
     const auto& edge = frame.edge(e);
     for (const auto v : {edge.source, edge.target, edge.left, edge.right})
       digest.add(std::uint64_t(v));

@@ -88,15 +88,15 @@ Classes classes_of(const Dynamic& dt, const Shape& shape)
       classes.points[{exact(dt.point(id))}] = shape.points()[id];
   EXPECT_EQ(shape.edges().size(), frame.number_of_edges());
   EXPECT_EQ(shape.faces().size(), frame.number_of_faces());
-  for (std::size_t e = 0; e < shape.edges().size(); ++e) {
-    const auto edge = frame.edge(unsigned(e));
+  for (typename Dynamic::Frame::Edge_index e(0); e < shape.edges().size(); ++e) {
+    const auto edge = frame.edge(e);
     if (frame.is_infinite(edge))
       EXPECT_EQ(shape.edges()[e], Class::EXTERIOR);
     else
       classes.edges[{point(edge.source), point(edge.target)}] = shape.edges()[e];
   }
-  for (std::size_t f = 0; f < shape.faces().size(); ++f) {
-    const auto [a, b, c] = frame.face(unsigned(f));
+  for (typename Dynamic::Frame::Face_index f(0); f < shape.faces().size(); ++f) {
+    const auto [a, b, c] = frame.face(f);
     if (a == 0 || b == 0 || c == 0)
       EXPECT_EQ(shape.faces()[f], Class::EXTERIOR);
     else

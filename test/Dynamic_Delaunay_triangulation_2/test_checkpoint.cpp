@@ -55,7 +55,7 @@ void expect_equal(const Dynamic& dt, const Dynamic& other)
   ASSERT_EQ(edges_of(dt), edges_of(other));
   const auto frame = dt.frame(), other_frame = other.frame();
   ASSERT_EQ(frame.number_of_faces(), other_frame.number_of_faces());
-  for (unsigned f = 0; f < frame.number_of_faces(); ++f)
+  for (typename Dynamic::Frame::Face_index f(0); f < frame.number_of_faces(); ++f)
     ASSERT_EQ(frame.face(f), other_frame.face(f));
   for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
     ASSERT_EQ(dt.has_id(id), other.has_id(id));

@@ -27,7 +27,7 @@ struct Fast_mover_classifier
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified) const
   {
-    for (typename Frame::Index v = 1; v <= frame.number_of_vertices(); ++v) {
+    for (typename Frame::Vertex_index v(1); v <= frame.number_of_vertices(); ++v) {
       const auto &p = frame.position(v), &q = frame.previous_position(v);
       if (std::hypot(p.x - q.x, p.y - q.y) > limit)
         classified.add_id(frame.id(v));
@@ -43,7 +43,7 @@ struct Vertex_classifier
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified) const
   {
-    for (typename Frame::Index e = 0; e < frame.number_of_edges(); ++e)
+    for (typename Frame::Edge_index e(0); e < frame.number_of_edges(); ++e)
       if (!frame.is_delaunay(e))
         classified.add_vertex(frame.is_infinite(frame.edge(e).source) ? frame.edge(e).target
                                                                       : frame.edge(e).source);
@@ -67,13 +67,15 @@ TEST(Edge_filter, proves_the_same_edges_in_one_lane_and_in_all)
   for (int i = 0; i < 200003; ++i) { // no multiple of four
     // mostly points of one scale
     const Index scale = Index(i % 4);
-    const auto vertex = [&] { return i % 10 == 0 ? any(random) : any(random) / 4 * 4 + scale; };
+    const auto vertex = [&] {
+      return Vertex_index(i % 10 == 0 ? any(random) : any(random) / 4 * 4 + scale);
+    };
     Edge_2 edge{vertex(), vertex(), vertex(), vertex()};
     for (auto* v : {&edge.source, &edge.target, &edge.left, &edge.right})
-      *v = (std::min)(Index(*v), Index(positions.size()) - 1);
+      *v = (std::min)(*v, Vertex_index(positions.size() - 1));
     edges.push_back(edge);
   }
-  std::vector<Index> plain, chosen;
+  std::vector<Edge_index> plain, chosen;
   internal::append_unproved_in_lanes<internal::Plane_2, 1>(
       internal::Consecutive_edges_2{edges.data()}, positions.data(), 0, edges.size(), plain);
   internal::append_unproved<internal::Plane_2>(edges.data(), positions, 0, Index(edges.size()),
@@ -101,7 +103,7 @@ TEST(Frames, know_where_a_straight_hull_turns_back_and_where_a_face_at_the_hull_
     dt.update(moved.begin(), moved.end());
     const auto frame = dt.frame();
     Ids broken;
-    for (CGAL::Dynamic_Delaunay_triangulations_2::Index e = 0; e < frame.number_of_edges(); ++e)
+    for (CGAL::Dynamic_Delaunay_triangulations_2::Edge_index e(0); e < frame.number_of_edges(); ++e)
       if (frame.is_at_infinity(e) && !frame.is_delaunay(e)) {
         std::set<std::size_t> ids;
         for (const auto v : {frame.edge(e).source, frame.edge(e).target})
@@ -199,7 +201,7 @@ struct All_edges_classifier
     classified.add_unless_delaunay(frame, unproved);
   }
 
-  std::vector<CGAL::Dynamic_Delaunay_triangulations_2::Index> unproved{};
+  std::vector<CGAL::Dynamic_Delaunay_triangulations_2::Edge_index> unproved{};
 };
 
 // The median ratio over frames, taken in alternating order. Too much moves for edges to be skipped.

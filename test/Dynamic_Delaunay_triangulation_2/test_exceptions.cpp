@@ -706,7 +706,7 @@ struct Busy_classifier
   template <class Frame, class Classification>
   void operator()(const Frame&, Classification& classified) const
   {
-    classified.add_vertex(1);
+    classified.add_vertex(typename Frame::Vertex_index(1));
   }
 };
 

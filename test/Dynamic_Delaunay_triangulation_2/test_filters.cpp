@@ -23,6 +23,7 @@ namespace {
 
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_2;
+using CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
 using internal::Edge_slack_2;
@@ -33,27 +34,24 @@ constexpr double tiniest = std::numeric_limits<double>::denorm_min();
 // that asks whether the edge is Delaunay is told that it is not.
 struct One_edge
 {
-  using Index = ::Index;
+  using Edge_index = CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
   using Edge = Edge_2;
 
   explicit One_edge(const Quadruple& q)
   {
-    m_edge.left = 1;
-    m_edge.source = 2;
-    m_edge.target = 3;
-    m_edge.right = 4;
+    m_edge = {Vertex_index(2), Vertex_index(3), Vertex_index(1), Vertex_index(4)};
     m_positions.insert(m_positions.end(), q.begin(), q.end());
   }
 
   const std::vector<Position_2>& positions() const { return m_positions; }
-  const Position_2& position(Index v) const { return m_positions[v]; }
-  bool corners_are_exact(Index) const { return true; }
-  const Edge_2& edge(Index) const { return m_edge; }
-  CGAL::Dynamic_Delaunay_triangulations_2::Edge_corners_2 corners(Index) const
+  const Position_2& position(Vertex_index v) const { return m_positions[v]; }
+  bool corners_are_exact(Edge_index) const { return true; }
+  const Edge_2& edge(Edge_index = Edge_index(0)) const { return m_edge; }
+  CGAL::Dynamic_Delaunay_triangulations_2::Edge_corners_2 corners(Edge_index = Edge_index(0)) const
   {
     return internal::Plane_2::corners(m_edge, m_positions);
   }
-  bool is_delaunay(Index) const { return false; }
+  bool is_delaunay(Edge_index) const { return false; }
 
 private:
   std::vector<Position_2> m_positions{{NAN, NAN}};
@@ -223,8 +221,8 @@ TEST(Predicates, of_four_edges_at_once_claim_nothing_wrong_for_any_finite_double
   for (int i = 0; i < 100000; ++i) {
     const Quadruple q = quadruples.next();
     const One_edge one(q);
-    const Edge_2 edges[] = {one.edge(0), one.edge(0), one.edge(0), one.edge(0)};
-    std::vector<Index> unproved;
+    const Edge_2 edges[] = {one.edge(), one.edge(), one.edge(), one.edge()};
+    std::vector<Edge_index> unproved;
     internal::append_unproved<internal::Plane_2>(edges, one.positions(), 0, 4, unproved);
     ASSERT_TRUE(unproved.empty() || unproved.size() == 4) << text(q);
     if (!unproved.empty())
@@ -265,7 +263,7 @@ TEST(Predicates, of_an_edge_are_the_same_in_any_number_of_lanes)
   std::vector<Position_2> positions;
   for (Index i = 0; i < 20000; ++i) {
     const Quadruple q = quadruples.next();
-    Edge_2 edge = One_edge(q).edge(0);
+    Edge_2 edge = One_edge(q).edge();
     for (Vertex_index Edge_2::*corner :
          {&Edge_2::left, &Edge_2::source, &Edge_2::target, &Edge_2::right})
       (edge.*corner) += 4 * i - 1;
@@ -343,7 +341,7 @@ TEST(Predicates, of_nearly_delaunay_leave_no_edge_alone_beyond_the_bound)
   for (int i = 0; i < 100000; ++i) {
     const Quadruple q = quadruples.next();
     const double eps = all_eps[quadruples.random() % std::size(all_eps)];
-    if (CGAL::Nearly_delaunay_classifier_2(eps).names_edge(One_edge(q), 0))
+    if (CGAL::Nearly_delaunay_classifier_2(eps).names_edge(One_edge(q), Edge_index(0)))
       continue;
     ++left_alone;
     const Signs signs(q);
@@ -414,7 +412,7 @@ TEST(Tolerances, are_kept_by_edges_of_any_length_anywhere)
   for (int i = 0; i < 50000; ++i) {
     const Quadruple q = any.random() % 4 ? any_rhombus(any) : any.next();
     const One_edge one(q);
-    const double t = Edge_slack_2(one.edge(0), one.corners(0)).tolerance();
+    const double t = Edge_slack_2(one.edge(), one.corners()).tolerance();
     if (!(t > 0))
       continue;
     ++safe;
@@ -434,7 +432,7 @@ TEST(Tolerances, are_kept_by_hulls_of_any_extent_anywhere)
   for (int i = 0; i < 50000; ++i) {
     const Quadruple q = any.random() % 4 ? any_rhombus(any) : any.next();
     const One_edge one(q);
-    Edge_2 edge = one.edge(0);
+    Edge_2 edge = one.edge();
     edge.right = internal::infinite_index;
     const double t =
         Edge_slack_2(edge, internal::Plane_2::corners(edge, one.positions())).tolerance();

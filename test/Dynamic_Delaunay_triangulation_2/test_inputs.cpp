@@ -410,9 +410,10 @@ struct Wrong_classifier
   void operator()(const Frame& frame, Classification& classification) const
   {
     if (names_an_edge)
-      classification.add_edge(frame.number_of_edges() + excess);
+      classification.add_edge(typename Frame::Edge_index(frame.number_of_edges() + excess));
     else
-      classification.add_vertex(frame.number_of_vertices() + 1 + excess);
+      classification.add_vertex(
+          typename Frame::Vertex_index(frame.number_of_vertices() + 1 + excess));
   }
 
   bool names_an_edge = false;

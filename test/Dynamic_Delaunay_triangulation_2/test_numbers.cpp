@@ -37,7 +37,9 @@ namespace {
 
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_2;
+using CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
+using CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
 
 constexpr double tiniest = std::numeric_limits<double>::denorm_min();
 
@@ -256,31 +258,31 @@ public:
   {
     if (m_frame.number_of_edges() == 0)
       return are_on_a_line();
-    for (Index e = 0; e < m_frame.number_of_edges(); ++e)
+    for (Edge_index e(0); e < m_frame.number_of_edges(); ++e)
       if (!is_delaunay(m_frame.edge(e)))
         return false;
     return hull_turns_once();
   }
 
 private:
-  static constexpr Index infinite = internal::infinite_index;
+  static constexpr Vertex_index infinite = internal::infinite_index;
 
-  const Position_2& at(Index v) const { return m_frame.position(v); }
+  const Position_2& at(Vertex_index v) const { return m_frame.position(v); }
 
-  int orientation(Index a, Index b, Index c) const
+  int orientation(Vertex_index a, Vertex_index b, Vertex_index c) const
   {
     return exact_signs::orientation(at(a), at(b), at(c));
   }
 
-  bool is_less(Index v, Index w) const
+  bool is_less(Vertex_index v, Vertex_index w) const
   {
     return at(v).x != at(w).x ? at(v).x < at(w).x : at(v).y < at(w).y;
   }
 
   bool are_on_a_line() const
   {
-    for (Index v = 3; v <= m_frame.number_of_vertices(); ++v)
-      if (orientation(1, 2, v) != 0)
+    for (Vertex_index v(3); v <= m_frame.number_of_vertices(); ++v)
+      if (orientation(Vertex_index(1), Vertex_index(2), v) != 0)
         return false;
     return true;
   }
@@ -299,7 +301,7 @@ private:
                                         at(edge.right)) <= 0);
   }
 
-  bool is_convex(Index before, Index v, Index after) const
+  bool is_convex(Vertex_index before, Vertex_index v, Vertex_index after) const
   {
     const int turn = orientation(before, v, after);
     return turn > 0 || (turn == 0 && is_less(before, v) == is_less(v, after));
@@ -308,10 +310,10 @@ private:
   bool hull_turns_once() const
   {
     int summits = 0;
-    for (Index e = 0; e < m_frame.number_of_edges(); ++e) {
+    for (Edge_index e(0); e < m_frame.number_of_edges(); ++e) {
       const Edge_2& edge = m_frame.edge(e);
       if (edge.source == infinite || edge.target == infinite) {
-        const Index v = edge.source == infinite ? edge.target : edge.source;
+        const Vertex_index v = edge.source == infinite ? edge.target : edge.source;
         summits += is_less(edge.left, v) && is_less(edge.right, v);
       }
     }

@@ -44,7 +44,7 @@ using Visited = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Kernel, CGAL::De
 using Vector = Kernel::Vector_2;
 namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_state_2;
-using CGAL::Dynamic_Delaunay_triangulations_2::Index;
+using CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
 
 // A visitor that keeps a set of edges only by the changes of which it is notified.
@@ -1004,7 +1004,7 @@ public:
     if (m_schedule.is_near() && !m_safe_edges.holds())
       m_safe_edges.measure_step(frame);
     m_safe_edges.take_changes(frame);
-    std::vector<Index> unproved;
+    std::vector<Edge_index> unproved;
     const bool skips = m_safe_edges.holds() && m_safe_edges.append_unproved(frame, unproved);
     m_frames_skipping += skips;
     if (!skips)

@@ -614,7 +614,7 @@ struct Long_edges
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    for (typename Frame::Index e = 0; e < frame.number_of_edges(); ++e) {
+    for (typename Frame::Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const auto way = frame.edge_vector(e);
       if (way.x * way.x + way.y * way.y > limit * limit)
         classified.add_edge(e);
@@ -630,7 +630,7 @@ TEST(A_classifier_of_ones_own, sees_edges_across_the_border_as_short_as_they_are
   const auto frame = pt.frame();
   EXPECT_EQ(frame.number_of_edges(), 6000u);
   std::size_t across = 0;
-  for (Triangulation<Long_edges>::Frame::Index e = 0; e < frame.number_of_edges(); ++e) {
+  for (Triangulation<Long_edges>::Frame::Edge_index e(0); e < frame.number_of_edges(); ++e) {
     const auto corners = frame.corners(e);
     const auto way = frame.edge_vector(e);
     EXPECT_NEAR(corners.target.x - corners.source.x, way.x, 1e-12);
@@ -654,23 +654,25 @@ struct Curious
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
   {
-    using Index = typename Frame::Index;
-    for (Index f = 0; f < frame.number_of_faces(); ++f) {
+    using Edge_index = typename Frame::Edge_index;
+    using Face_index = typename Frame::Face_index;
+    using Vertex_index = typename Frame::Vertex_index;
+    for (Face_index f(0); f < frame.number_of_faces(); ++f) {
       const auto corners = frame.face_corners(f);
       const auto vertices = frame.face(f);
       EXPECT_EQ(frame.is_infinite(vertices[0]), std::isnan(corners[0].x));
-      for (const Index v : vertices)
+      for (const Vertex_index v : vertices)
         EXPECT_LE(v, frame.number_of_vertices());
     }
-    for (Index e = 0; e < frame.number_of_edges(); ++e) {
-      for (const Index f : frame.faces_at(e))
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
+      for (const Face_index f : frame.faces_at(e))
         EXPECT_LT(f, frame.number_of_faces());
-      frame.for_each_side(e, [&](Index side) { EXPECT_LT(side, frame.number_of_edges()); });
+      frame.for_each_side(e, [&](Edge_index side) { EXPECT_LT(side, frame.number_of_edges()); });
       EXPECT_FALSE(frame.is_infinite(frame.edge(e)));
       classified.add_unless_delaunay(frame, e);
     }
-    for (Index v = 1; v <= frame.number_of_vertices(); ++v) {
-      frame.for_each_neighbor(v, [&](Index w) { EXPECT_LE(w, frame.number_of_vertices()); });
+    for (Vertex_index v(1); v <= frame.number_of_vertices(); ++v) {
+      frame.for_each_neighbor(v, [&](Vertex_index w) { EXPECT_LE(w, frame.number_of_vertices()); });
       EXPECT_FALSE(std::isnan(frame.previous_position(v).x));
     }
   }

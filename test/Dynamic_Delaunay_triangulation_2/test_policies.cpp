@@ -282,9 +282,10 @@ TEST(Hybrid_policy, rests_longer_and_longer_from_a_classifier_that_names_too_muc
 struct Calm_frame
 {
   using Index = unsigned;
+  using Edge_index = CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
   Index number_of_vertices() const { return 100; }
   Index number_of_edges() const { return 300; }
-  bool is_delaunay(Index) const { return true; }
+  bool is_delaunay(Edge_index) const { return true; }
 };
 
 // The number of rebuilds before the policy tries again; it is then told the outcome of the try.

@@ -175,10 +175,15 @@ std::ostream& operator<<(std::ostream& out, const Quadrilateral& q)
   return out << std::defaultfloat;
 }
 
+constexpr Edge_2 edge_of(Index source, Index target, Index left, Index right)
+{
+  return {Vertex_index(source), Vertex_index(target), Vertex_index(left), Vertex_index(right)};
+}
+
 Edge_slack_2 slack_of(const Quadrilateral& q)
 {
   const std::array<Position_2, 5> positions{q.a, q.a, q.b, q.c, q.d}; // 0 is at infinity
-  const Edge_2 edge{2, 3, 1, 4};
+  const Edge_2 edge = edge_of(2, 3, 1, 4);
   return Edge_slack_2(edge, internal::Plane_2::corners(edge, positions));
 }
 
@@ -442,11 +447,11 @@ public:
   }
 
 private:
-  static constexpr Index center = 1;
-  Index ring(Index i) const { return 2 + i % m_degree; }
-  Index beyond(Index i) const { return 2 + m_degree + i; }
+  static constexpr Vertex_index center{1};
+  Vertex_index ring(Index i) const { return Vertex_index(2 + i % m_degree); }
+  Vertex_index beyond(Index i) const { return Vertex_index(2 + m_degree + i); }
 
-  void place(Index v, double i, double radius, double height)
+  void place(Vertex_index v, double i, double radius, double height)
   {
     const double angle = 2 * CGAL_PI * i / m_degree;
     m_positions[v] = {radius * std::cos(angle), radius * std::sin(angle) * height};
@@ -512,8 +517,8 @@ struct Turn
   bool is_slight() const { return CGAL::angle(point(p), point(q), point(w)) == CGAL::OBTUSE; }
 };
 
-constexpr Edge_2 hull_edges[] = {{3, 2, 0, 1}, {2, 3, 1, 0}},
-                 corners[] = {{0, 2, 1, 3}, {2, 0, 3, 1}};
+constexpr Edge_2 hull_edges[] = {edge_of(3, 2, 0, 1), edge_of(2, 3, 1, 0)},
+                 corners[] = {edge_of(0, 2, 1, 3), edge_of(2, 0, 3, 1)};
 
 std::ostream& operator<<(std::ostream& out, const Turn& turn)
 {
@@ -626,10 +631,10 @@ TEST(Edge_slack, keeps_the_hull_from_turning_back_on_itself_where_it_says_so)
 // -------------------------------------------------------------------------------------------------
 // Which vertices have moved.
 
-std::vector<Index> moved_vertices(const std::vector<Position_2>& positions,
-                                  const std::vector<Position_2>& references, double tolerance)
+std::vector<Vertex_index> moved_vertices(const std::vector<Position_2>& positions,
+                                         const std::vector<Position_2>& references, double tolerance)
 {
-  std::vector<Index> vertices;
+  std::vector<Vertex_index> vertices;
   EXPECT_TRUE(internal::append_moved(positions, references, tolerance, positions.size(), vertices));
   return vertices;
 }
@@ -641,7 +646,7 @@ void expect_who_has_moved(const std::vector<Position_2>& positions,
   const auto vertices = moved_vertices(positions, references, tolerance);
   ASSERT_TRUE(std::is_sorted(vertices.begin(), vertices.end()));
   auto next = vertices.begin();
-  for (Index v = 1; v < Index(positions.size()); ++v) {
+  for (Vertex_index v(1); v < Index(positions.size()); ++v) {
     const bool is_named = next != vertices.end() && *next == v;
     next += is_named;
     const auto is_within = [&](double t) {
@@ -688,13 +693,13 @@ TEST(Displacements, tell_the_tolerance_from_the_next_double)
   for (int round = 0; round < 5000; ++round) {
     const double scale = power_of_ten(random, -90, 90);
     std::vector<Position_2> references(34, {0, 0}), positions(34, {0, 0});
-    const Index v = 1 + Index(random() % 33);
+    const Vertex_index v(1 + random() % 33);
     const double x = between(random, -1, 1) * scale;
     positions[v] = {x, between(random, -1, 1) * scale};
     const double t = tolerance_just_missed(positions[v], references[v]);
-    EXPECT_EQ(moved_vertices(positions, references, t), std::vector<Index>(1, v));
+    EXPECT_EQ(moved_vertices(positions, references, t), std::vector<Vertex_index>(1, v));
     positions[v] = {std::nextafter(t, 2 * t), 0};
-    EXPECT_EQ(moved_vertices(positions, references, t), std::vector<Index>(1, v));
+    EXPECT_EQ(moved_vertices(positions, references, t), std::vector<Vertex_index>(1, v));
     EXPECT_TRUE(moved_vertices(positions, references, t * (1 + 1e-14)).empty());
   }
 }
@@ -712,14 +717,15 @@ TEST(Displacements, are_the_same_in_any_number_of_lanes)
       if (random() % 100 == 0)
         (random() % 2 == 0 ? positions[v].x : references[v].y) = std::nan("");
     }
-    const Index beyond = Index(vertices), first = Index(random() % vertices);
+    const Vertex_index first(random() % vertices);
+    const Index beyond = Index(vertices);
     const auto moved = [&](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
-      std::vector<Index> list;
+      std::vector<Vertex_index> list;
       internal::append_moved_in_lanes<lanes>(positions.data(), references.data(), first, beyond,
                                              0.25, list);
       return list;
     };
-    const std::vector<Index> expected = moved(std::integral_constant<int, 1>());
+    const std::vector<Vertex_index> expected = moved(std::integral_constant<int, 1>());
     EXPECT_EQ(moved(std::integral_constant<int, internal::usual_lanes>()), expected);
     EXPECT_EQ(internal::call_with_lanes(moved), expected);
   }
@@ -729,13 +735,13 @@ TEST(Displacements, count_those_who_are_nowhere_as_moved)
 {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  for (Index v = 1; v < 40; ++v)
+  for (Vertex_index v(1); v < 40; ++v)
     for (const Position_2& nan_point : {Position_2{nan, 0}, {0, nan}, {nan, nan}, {infinity, 0}}) {
       const std::vector<Position_2> references(40, {0, 0});
       auto positions = references;
       positions[v] = nan_point;
-      EXPECT_EQ(moved_vertices(positions, references, 1e100), std::vector<Index>(1, v));
-      EXPECT_EQ(moved_vertices(references, positions, 1e100), std::vector<Index>(1, v));
+      EXPECT_EQ(moved_vertices(positions, references, 1e100), std::vector<Vertex_index>(1, v));
+      EXPECT_EQ(moved_vertices(references, positions, 1e100), std::vector<Vertex_index>(1, v));
     }
 }
 
@@ -746,7 +752,7 @@ TEST(Displacements, are_given_up_when_too_many_have_moved)
     auto positions = references;
     for (std::size_t i = 0; i < count; ++i)
       positions[2999 - i] = {2, 0};
-    std::vector<Index> vertices;
+    std::vector<Vertex_index> vertices;
     EXPECT_EQ(internal::append_moved(positions, references, 1, 5, vertices), count <= 5);
   }
 }
@@ -765,16 +771,17 @@ TEST(Edge_proofs, of_a_list_are_those_of_the_whole)
   std::vector<Edge_2> edges(997);
   for (Edge_2& edge : edges)
     for (auto* v : {&edge.source, &edge.target, &edge.left, &edge.right})
-      *v = Index(random() % positions.size());
-  std::vector<Index> all;
+      *v = Vertex_index(random() % positions.size());
+  std::vector<Edge_index> all;
   internal::append_unproved<internal::Plane_2>(edges.data(), positions, 0, Index(edges.size()),
                                                all);
   ASSERT_LT(all.size(), edges.size());
   for (std::size_t size = 0; size < 300; ++size) {
-    std::vector<Index> list(size), expected{7}, unproved{7}; // what is there stays
-    for (Index& e : list)
-      e = Index(random() % edges.size());
-    for (const Index e : list)
+    const std::vector<Edge_index> before(1, Edge_index(7)); // what is there stays
+    std::vector<Edge_index> list(size), expected = before, unproved = before;
+    for (Edge_index& e : list)
+      e = Edge_index(random() % edges.size());
+    for (const Edge_index e : list)
       if (std::binary_search(all.begin(), all.end(), e))
         expected.push_back(e);
     internal::append_unproved_of<internal::Plane_2>(edges.data(), positions, list, unproved);
@@ -791,7 +798,7 @@ struct Eager_classifier
 {
   static constexpr bool is_exact = true;
   internal::Safe_edges_2 safe_edges;
-  std::vector<Index> unproved;
+  std::vector<Edge_index> unproved;
   std::size_t frames_skipping = 0;
 
   template <class Frame, class Classification>
@@ -803,9 +810,9 @@ struct Eager_classifier
     frames_skipping += skips;
     if (!skips) {
       unproved.resize(frame.number_of_edges());
-      std::iota(unproved.begin(), unproved.end(), Index(0));
+      std::iota(unproved.begin(), unproved.end(), Edge_index(0));
     }
-    for (const Index e : unproved)
+    for (const Edge_index e : unproved)
       examine(frame, e, classified);
     if (skips && safe_edges.hull_turns_once())
       classified.set_hull_turns_once();
@@ -820,7 +827,7 @@ struct Eager_classifier
   }
 
   template <class Frame, class Classification>
-  static void examine(const Frame& frame, Index e, Classification& classified)
+  static void examine(const Frame& frame, Edge_index e, Classification& classified)
   {
     const auto state = frame.edge_state(e);
     if (state == Edge_state_2::ILLEGAL)
@@ -838,7 +845,7 @@ struct Tireless_classifier
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified) const
   {
-    for (Index e = 0; e < frame.number_of_edges(); ++e)
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e)
       Eager_classifier::examine(frame, e, classified);
   }
 };
@@ -848,7 +855,7 @@ template <class Frame>
 long number_of_turns(const Frame& frame)
 {
   double sum = 0;
-  frame.for_each_incident_edge(internal::infinite_index, [&](Index e) {
+  frame.for_each_incident_edge(internal::infinite_index, [&](Edge_index e) {
     const Edge_2& edge = frame.edge(e);
     const bool is_outgoing = edge.source == internal::infinite_index;
     const Position_2& v = frame.position(is_outgoing ? edge.target : edge.source);
@@ -882,7 +889,7 @@ struct Audited
     if (!classified.is_everything())
       check_edges(frame, classified);
     if (std::exchange(*raises_alarm, false))
-      classified.add_vertex(1);
+      classified.add_vertex(Vertex_index(1));
     if (std::exchange(*fails, false))
       throw Failure();
   }
@@ -898,10 +905,10 @@ private:
   void check_edges(const Frame& frame, const Classification& classified)
   {
     std::vector<bool> named(frame.number_of_edges());
-    for (const Index e : classified.edges())
+    for (const Edge_index e : classified.edges())
       named[e] = true;
     std::size_t missed = 0, named_in_vain = 0;
-    for (Index e = 0; e < frame.number_of_edges(); ++e) {
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const bool is_delaunay = frame.is_delaunay(e);
       missed += !is_delaunay && !named[e];
       named_in_vain += is_delaunay && named[e];
@@ -919,7 +926,7 @@ private:
     EXPECT_EQ(number_of_turns(frame), 1);
     bool is_convex = true;
     frame.for_each_incident_edge(internal::infinite_index,
-                                 [&](Index e) { is_convex = is_convex && frame.is_delaunay(e); });
+                                 [&](Edge_index e) { is_convex = is_convex && frame.is_delaunay(e); });
     EXPECT_TRUE(!is_convex || frame.hull_turns_once());
   }
 };
@@ -1568,9 +1575,9 @@ bool update_in_scarcity(Dynamic& dt, const std::vector<typename Dynamic::Point>&
 
 TEST(Index_set, is_as_it_was_after_an_insertion_that_failed)
 {
-  internal::Index_set set;
+  internal::Index_set<Vertex_index> set;
   set.clear(1000);
-  for (Index i = 0; i < 1000; ++i) {
+  for (Vertex_index i(0); i < 1000; ++i) {
     try {
       const replaced_heap::Scarcity scarcity(0);
       set.insert(i);

@@ -33,7 +33,9 @@ using CGAL::Circumcircle_classifier_2;
 using CGAL::Random_classifier_2;
 using CGAL::Static_engine_2;
 using CGAL::Static_engines_2;
+using CGAL::Dynamic_Delaunay_triangulations_2::Face_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
+using CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
 using Points = Cloud<Epick>::Points;
 
@@ -916,20 +918,21 @@ struct Plain_predicates
 {
   const Points* points;
 
-  const Epick::Point_2& at(Index v) const { return (*points)[v - 1]; }
-  CGAL::Orientation orientation(Index a, Index b, Index c) const
+  const Epick::Point_2& at(Vertex_index v) const { return (*points)[v - 1]; }
+  CGAL::Orientation orientation(Vertex_index a, Vertex_index b, Vertex_index c) const
   {
     return CGAL::orientation(at(a), at(b), at(c));
   }
-  CGAL::Oriented_side side_of_circle(Index a, Index b, Index c, Index d) const
+  CGAL::Oriented_side side_of_circle(Vertex_index a, Vertex_index b, Vertex_index c,
+                                     Vertex_index d) const
   {
     return CGAL::side_of_oriented_circle(at(a), at(b), at(c), at(d));
   }
-  CGAL::Comparison_result compare_xy(Index v, Index w) const
+  CGAL::Comparison_result compare_xy(Vertex_index v, Vertex_index w) const
   {
     return CGAL::compare_xy(at(v), at(w));
   }
-  CGAL::Comparison_result compare_yx(Index v, Index w) const
+  CGAL::Comparison_result compare_yx(Vertex_index v, Vertex_index w) const
   {
     return CGAL::compare_yx(at(v), at(w));
   }
@@ -951,14 +954,14 @@ public:
   // Every half-edge of each face has the twin of which it is the twin, the other way around.
   void expect_closed() const
   {
-    for (Index f = 0; f < number_of_faces(); ++f)
+    for (Face_index f(0); f < number_of_faces(); ++f)
       for (Index i = 0; i < 3; ++i) {
-        const Index h = Flat_faces::first_halfedge(f) + i, g = m_faces.twin(h);
+        const auto h = Flat_faces::first_halfedge(f) + i, g = m_faces.twin(h);
         ASSERT_EQ(Flat_faces::next(Flat_faces::previous(h)), h);
         ASSERT_EQ(m_faces.twin(g), h);
         ASSERT_EQ(m_faces.source(g), m_faces.target(h));
         ASSERT_EQ(m_faces.target(g), m_faces.source(h));
-        ASSERT_NE(g / 4, f);
+        ASSERT_NE(Flat_faces::face_of(g), f);
       }
   }
 
@@ -966,12 +969,12 @@ public:
   void expect_delaunay() const
   {
     const Plain_predicates predicates{&m_points};
-    for (Index f = 0; f < number_of_faces(); ++f) {
+    for (Face_index f(0); f < number_of_faces(); ++f) {
       const auto [a, b, c] = from_infinity(f);
       ASSERT_TRUE(b != internal::infinite_index && c != internal::infinite_index);
       const bool is_infinite = a == internal::infinite_index;
       ASSERT_TRUE(is_infinite || predicates.orientation(a, b, c) == CGAL::LEFT_TURN);
-      for (Index v = 1; v <= Index(m_points.size()); ++v)
+      for (Vertex_index v(1); v <= Index(m_points.size()); ++v)
         ASSERT_FALSE(is_infinite ? predicates.orientation(b, c, v) == CGAL::LEFT_TURN
                                  : predicates.side_of_circle(a, b, c, v) == CGAL::ON_POSITIVE_SIDE);
     }
@@ -981,7 +984,7 @@ public:
   void expect_complete() const
   {
     std::set<Index> vertices, on_hull;
-    for (Index f = 0; f < number_of_faces(); ++f) {
+    for (Face_index f(0); f < number_of_faces(); ++f) {
       const auto [a, b, c] = from_infinity(f);
       vertices.insert({a, b, c});
       ASSERT_TRUE(a != internal::infinite_index || on_hull.insert(b).second);
@@ -993,9 +996,9 @@ private:
   using Flat_faces = internal::Flat_faces_2;
 
   // The vertices of a face, counterclockwise, the infinite one first if it is among them.
-  std::array<Index, 3> from_infinity(Index f) const
+  std::array<Vertex_index, 3> from_infinity(Face_index f) const
   {
-    Index h = Flat_faces::first_halfedge(f);
+    auto h = Flat_faces::first_halfedge(f);
     for (int i = 0; i < 3 && m_faces.apex(h) != internal::infinite_index; ++i)
       h = Flat_faces::next(h);
     return {m_faces.apex(h), m_faces.source(h), m_faces.target(h)};

@@ -35,7 +35,10 @@ namespace test_thesis_classifiers {
 
 using Points = Cloud<Epick>::Points;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_2;
+using CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
+using CGAL::Dynamic_Delaunay_triangulations_2::Face_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
+using CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Position_2;
 
 template <class Classifier, class Repair = CGAL::Default>
@@ -89,7 +92,7 @@ template <class Dynamic>
 std::set<std::size_t> classified_ids(const Dynamic& dt)
 {
   std::set<std::size_t> ids;
-  for (const Index v : dt.classified_vertices())
+  for (const Vertex_index v : dt.classified_vertices())
     ids.insert(dt.frame().id(v));
   return ids;
 }
@@ -99,7 +102,7 @@ std::set<std::size_t> neighbors_of(const Dynamic& dt, std::size_t id)
 {
   std::set<std::size_t> ids;
   const auto frame = dt.frame();
-  frame.for_each_neighbor(frame.vertex(Index(id)), [&](Index w) {
+  frame.for_each_neighbor(frame.vertex(Index(id)), [&](Vertex_index w) {
     if (!frame.is_infinite(w))
       ids.insert(frame.id(w));
   });
@@ -147,7 +150,7 @@ struct Audited : Wrapped_classifier<Classifier>
   {
     this->classifier(frame, classified);
     const std::set<Index> named(classified.edges().begin(), classified.edges().end());
-    for (Index e = 0; e < frame.number_of_edges(); ++e) {
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const bool is_broken = !frame.is_delaunay(e);
       const bool is_picked = named.count(e) > 0 ||
                              classified.is_whole_vertex(frame.edge(e).source) ||
@@ -171,7 +174,7 @@ struct End_classifier
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified) const
   {
-    for (Index e = 0; e < frame.number_of_edges(); ++e) {
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const auto [low, high] = std::minmax({frame.edge(e).source, frame.edge(e).target});
       if (!frame.is_delaunay(e))
         classified.add_vertex(smaller && low != 0 ? low : high);
@@ -397,7 +400,7 @@ struct Counting_frame : Frame
     Frame::append_unproved(std::forward<Arguments>(arguments)...);
   }
 
-  auto edge_state(Index e) const
+  auto edge_state(Edge_index e) const
   {
     ++m_looks;
     return Frame::edge_state(e);
@@ -502,7 +505,7 @@ TEST(Edge_slack, gives_the_largest_tolerance_that_is_safe)
   const Points points = cloud.uniform(500);
   const Triangulation<CGAL::Circumcircle_classifier_2> dt(points.begin(), points.end());
   const auto frame = dt.frame();
-  for (Index e = 0; e < frame.number_of_edges(); ++e) {
+  for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
     const Edge_slack_2 slack(frame.edge(e), frame.corners(e));
     const double t = slack.tolerance();
     ASSERT_GT(t, 0) << "edge " << e;
@@ -528,14 +531,15 @@ template <bool exact>
 struct Scripted_classifier
 {
   static constexpr bool is_exact = exact;
-  std::vector<Index> vertices{}, edges{};
+  std::vector<Vertex_index> vertices{};
+  std::vector<Edge_index> edges{};
 
   template <class Frame, class Classification>
   void operator()(const Frame&, Classification& classified) const
   {
-    for (const Index v : vertices)
+    for (const Vertex_index v : vertices)
       classified.add_vertex(v);
-    for (const Index e : edges)
+    for (const Edge_index e : edges)
       classified.add_edge(e);
   }
 };
@@ -545,8 +549,8 @@ template <class Classifier>
 struct Noting_classifier : Wrapped_classifier<Classifier>
 {
   static constexpr bool is_exact = false;
-  std::shared_ptr<std::set<Index>> vertices = std::make_shared<std::set<Index>>();
-  std::shared_ptr<std::set<Index>> edges = std::make_shared<std::set<Index>>();
+  std::shared_ptr<std::set<Vertex_index>> vertices = std::make_shared<std::set<Vertex_index>>();
+  std::shared_ptr<std::set<Edge_index>> edges = std::make_shared<std::set<Edge_index>>();
 
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified)
@@ -572,37 +576,38 @@ TEST(Refined_classifier, keeps_what_both_pick)
   const Points points = cloud.uniform(50);
   const Triangulation<CGAL::Circumcircle_classifier_2> dt(points.begin(), points.end());
   const auto frame = dt.frame();
-  Index e = 0, f = 0;
+  Edge_index e(0), f(0);
   while (frame.is_infinite(frame.edge(e)))
     ++e;
   const auto [v, w, left, right] = frame.edge(e);
   // an edge that shares no vertex with the first one
   for (;; ++f) {
     const Edge_2& other = frame.edge(f);
-    const std::set<Index> all = {v, w, other.source, other.target};
-    if (all.size() == 4 && all.count(0) == 0)
+    const std::set<Vertex_index> all = {v, w, other.source, other.target};
+    if (all.size() == 4 && all.count(Vertex_index(0)) == 0)
       break;
   }
   using Some = Scripted_classifier<false>;
   using Exact = Scripted_classifier<true>;
-  using Set = std::set<Index>;
+  using Vertices = std::set<Vertex_index>;
+  using Edges = std::set<Edge_index>;
 
   const auto vertices =
       note(CGAL::Refined_classifier_2(Some{{v, left}, {}}, Some{{v, w}, {}}), points);
-  EXPECT_EQ(*vertices.vertices, Set{v});
-  EXPECT_EQ(*vertices.edges, Set{});
+  EXPECT_EQ(*vertices.vertices, Vertices{v});
+  EXPECT_EQ(*vertices.edges, Edges{});
   const auto by_end = note(CGAL::Refined_classifier_2(Some{{w}, {}}, Some{{}, {e, f}}), points);
-  EXPECT_EQ(*by_end.vertices, Set{});
-  EXPECT_EQ(*by_end.edges, Set{e});
+  EXPECT_EQ(*by_end.vertices, Vertices{});
+  EXPECT_EQ(*by_end.edges, Edges{e});
   const auto turned = note(CGAL::Refined_classifier_2(Some{{}, {e, f}}, Some{{w}, {}}), points);
-  EXPECT_EQ(*turned.edges, Set{e});
+  EXPECT_EQ(*turned.edges, Edges{e});
   const auto edges = note(CGAL::Refined_classifier_2(Some{{}, {e, f}}, Some{{}, {f}}), points);
-  EXPECT_EQ(*edges.edges, Set{f});
+  EXPECT_EQ(*edges.edges, Edges{f});
   const auto heuristic = note(CGAL::Refined_classifier_2(Some{{v}, {}}, Exact{{w}, {}}), points);
-  EXPECT_EQ(*heuristic.edges, Set{});
+  EXPECT_EQ(*heuristic.edges, Edges{});
   const auto exact = note(CGAL::Refined_classifier_2(Exact{{v}, {}}, Exact{{w}, {}}), points);
-  EXPECT_EQ(*exact.vertices, Set{});
-  EXPECT_EQ(*exact.edges, Set{e});
+  EXPECT_EQ(*exact.vertices, Vertices{});
+  EXPECT_EQ(*exact.edges, Edges{e});
   const auto none = note(CGAL::Refined_classifier_2(Some{{v}, {e}}, Some{}), points);
   EXPECT_EQ(none.vertices->size() + none.edges->size(), 0u);
 }
@@ -910,18 +915,18 @@ TEST(Predictive_point_distance_classifier, looks_only_when_point_distance_would_
 // Any number of edges that share no vertices.
 struct Loose_edges
 {
-  using Index = CGAL::Dynamic_Delaunay_triangulations_2::Index;
+  using Edge_index = CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
   using Edge = Edge_2;
   std::vector<Position_2> m_positions{{std::nan(""), std::nan("")}};
   std::vector<Edge_2> m_edges{};
 
   Index number_of_edges() const { return Index(m_edges.size()); }
-  const Edge_2& edge(Index e) const { return m_edges[e]; }
-  const Position_2& position(Index v) const { return m_positions[v]; }
+  const Edge_2& edge(Edge_index e) const { return m_edges[e]; }
+  const Position_2& position(Vertex_index v) const { return m_positions[v]; }
   const std::vector<Position_2>& positions() const { return m_positions; }
-  bool is_at_infinity(Index) const { return false; }
-  bool breaks_hull(Index) const { return false; }
-  CGAL::Dynamic_Delaunay_triangulations_2::Edge_corners_2 corners(Index e) const
+  bool is_at_infinity(Edge_index) const { return false; }
+  bool breaks_hull(Edge_index) const { return false; }
+  CGAL::Dynamic_Delaunay_triangulations_2::Edge_corners_2 corners(Edge_index e) const
   {
     using CGAL::Dynamic_Delaunay_triangulations_2::internal::Plane_2;
     return Plane_2::corners(m_edges[e], m_positions);
@@ -931,7 +936,7 @@ struct Loose_edges
 struct Picked_edges
 {
   std::set<Index> edges{};
-  void add_edge(Index e) { edges.insert(e); }
+  void add_edge(Edge_index e) { edges.insert(e); }
 };
 
 TEST(Voronoi_circumcenter_classifier, agrees_with_the_in_circle_predicate_away_from_ties)
@@ -948,12 +953,14 @@ TEST(Voronoi_circumcenter_classifier, agrees_with_the_in_circle_predicate_away_f
       frame.m_positions.push_back({q.x(), q.y()});
     }
     // both ways to write down the edge from 0 to 1, with 2 to its left and 3 to its right
-    frame.m_edges = {{1, 2, 3, 4}, {2, 1, 4, 3}};
+    const Vertex_index source(1), target(2), left(3), right(4);
+    frame.m_edges = {{source, target, left, right}, {target, source, right, left}};
     Picked_edges picked;
     CGAL::Voronoi_circumcenter_classifier_2()(frame, picked);
     const bool are_left_turns = CGAL::orientation(p[2], p[0], p[1]) == CGAL::LEFT_TURN &&
                                 CGAL::orientation(p[3], p[1], p[0]) == CGAL::LEFT_TURN;
-    const CGAL::Dynamic_Delaunay_triangulations_2::internal::Edge_filter_2 filter(frame.corners(0));
+    const CGAL::Dynamic_Delaunay_triangulations_2::internal::Edge_filter_2 filter(
+        frame.corners(Edge_index(0)));
     const double smallest = (std::min)({std::abs(filter.left), std::abs(filter.right), 1.});
     if (std::abs(filter.in_circle) < 1e-12 || smallest < 1e-6)
       continue; // a tie, or nearly no triangle
@@ -1039,7 +1046,7 @@ TEST(Estimated_voronoi_circumcenter_classifier, follows_translations)
 using Key = std::pair<std::size_t, std::size_t>; // of an edge: ids; 0 is at infinity
 
 template <class Frame>
-std::size_t key(const Frame& frame, Index v)
+std::size_t key(const Frame& frame, Vertex_index v)
 {
   return frame.is_infinite(v) ? 0 : 1 + frame.id(v);
 }
@@ -1064,7 +1071,7 @@ struct Snapshot
     for (const Edge_2& edge : frame.edges())
       edges.push_back(
           {key(frame, edge), std::minmax({key(frame, edge.left), key(frame, edge.right)})});
-    for (Index f = 0; f < frame.number_of_faces(); ++f) {
+    for (Face_index f(0); f < frame.number_of_faces(); ++f) {
       const auto vertices = frame.face(f);
       faces.push_back({key(frame, vertices[0]), key(frame, vertices[1]), key(frame, vertices[2])});
       std::sort(faces.back().begin(), faces.back().end());
@@ -1083,8 +1090,8 @@ struct News
   {
     now.take(frame);
     std::set<Index> edges, faces;
-    frame.for_each_changed_edge([&](Index e) { edges.insert(e); });
-    frame.for_each_changed_face([&](Index f) { faces.insert(f); });
+    frame.for_each_changed_edge([&](Edge_index e) { edges.insert(e); });
+    frame.for_each_changed_face([&](Face_index f) { faces.insert(f); });
     if (frame.everything_is_new()) {
       EXPECT_EQ(edges.size(), frame.number_of_edges());
       EXPECT_EQ(faces.size(), frame.number_of_faces());
@@ -1092,19 +1099,19 @@ struct News
       frame.follow_edges(before.edges);
       frame.follow_faces(before.faces);
       const std::set<Index> new_edges(frame.new_edges().begin(), frame.new_edges().end());
-      for (Index e = 0; e < frame.number_of_edges(); ++e)
+      for (Edge_index e(0); e < frame.number_of_edges(); ++e)
         if (now.edges[e] != before.edges[e]) {
           EXPECT_EQ(edges.count(e), 1u) << "edge " << e;
           ++changed_edges;
           changed_sides += new_edges.count(e) == 0;
         }
-      for (Index f = 0; f < frame.number_of_faces(); ++f)
+      for (Face_index f(0); f < frame.number_of_faces(); ++f)
         if (now.faces[f] != before.faces[f]) {
           EXPECT_EQ(faces.count(f), 1u) << "face " << f;
           ++changed_faces;
         }
     }
-    for (Index e = 0; e < frame.number_of_edges(); ++e) {
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const auto [left, right] = frame.faces_at(e);
       const auto of_left = frame.face(left), of_right = frame.face(right);
       EXPECT_EQ(std::count(of_left.begin(), of_left.end(), frame.edge(e).left), 1);
@@ -1143,7 +1150,7 @@ bool is_at_infinity(const Frame& frame, const Edge_2& edge)
 }
 
 template <class Frame>
-bool is_left_turn(const Frame& frame, Index a, Index b, Index c)
+bool is_left_turn(const Frame& frame, Vertex_index a, Vertex_index b, Vertex_index c)
 {
   return CGAL::orientation(point(frame.position(a)), point(frame.position(b)),
                            point(frame.position(c))) == CGAL::LEFT_TURN;
@@ -1167,7 +1174,7 @@ void for_each_new_edge(const Frame& frame, const Function& f)
     for (const Edge_2& edge : frame.edges())
       f(edge);
   else
-    for (const Index e : frame.new_edges())
+    for (const Edge_index e : frame.new_edges())
       f(frame.edge(e));
 }
 
@@ -1189,7 +1196,7 @@ struct Point_distance_model : Model_of_edges
   std::map<Key, double> references{};
 
   template <class Frame>
-  double slack(const Frame& frame, Index e) const
+  double slack(const Frame& frame, Edge_index e) const
   {
     const Edge_2& edge = frame.edge(e);
     if (frame.is_infinite(edge))
@@ -1222,8 +1229,8 @@ struct Inflation_aware_model
   {
     double sum = 0;
     int edges = 0;
-    for (const Index v : {edge.source, edge.target})
-      frame.for_each_neighbor(v, [&](Index w) {
+    for (const Vertex_index v : {edge.source, edge.target})
+      frame.for_each_neighbor(v, [&](Vertex_index w) {
         if (!frame.is_infinite(w) && w != edge.source && w != edge.target) {
           sum += std::pow(length(place(v), place(w)), 2);
           ++edges;
@@ -1238,12 +1245,12 @@ struct Inflation_aware_model
     for (const Edge_2& edge : frame.edges())
       if (!frame.is_infinite(edge))
         growths.at(key(frame, edge)) *=
-            relative_length(frame, edge, [&](Index v) { return frame.position(v); }) /
-            relative_length(frame, edge, [&](Index v) { return last[frame.id(v)]; });
+            relative_length(frame, edge, [&](Vertex_index v) { return frame.position(v); }) /
+            relative_length(frame, edge, [&](Vertex_index v) { return last[frame.id(v)]; });
   }
 
   template <class Frame>
-  double slack(const Frame& frame, Index e) const
+  double slack(const Frame& frame, Edge_index e) const
   {
     if (frame.is_infinite(frame.edge(e)))
       return 1;
@@ -1256,7 +1263,7 @@ struct Inflation_aware_model
   {
     for_each_new_edge(frame, [&](const Edge_2& edge) { growths[key(frame, edge)] = 1; });
     last.resize(frame.number_of_points());
-    for (Index v = 1; v <= frame.number_of_vertices(); ++v)
+    for (Vertex_index v(1); v <= frame.number_of_vertices(); ++v)
       last[frame.id(v)] = frame.position(v);
   }
 };
@@ -1275,7 +1282,7 @@ struct Voronoi_edge_length_model : Model_of_edges
   }
 
   template <class Frame>
-  double slack(const Frame& frame, Index e) const
+  double slack(const Frame& frame, Edge_index e) const
   {
     const Edge_2& edge = frame.edge(e);
     if (is_at_infinity(frame, edge))
@@ -1286,11 +1293,11 @@ struct Voronoi_edge_length_model : Model_of_edges
   template <class Frame>
   void end(const Frame& frame)
   {
-    frame.for_each_changed_edge([&](Index e) {
+    frame.for_each_changed_edge([&](Edge_index e) {
       const Edge_2& edge = frame.edge(e);
       if (is_at_infinity(frame, edge))
         return;
-      const auto at = [&](Index v) { return point(frame.position(v)); };
+      const auto at = [&](Vertex_index v) { return point(frame.position(v)); };
       const bool is_sound = is_left_turn(frame, edge.left, edge.source, edge.target) &&
                             is_left_turn(frame, edge.right, edge.target, edge.source);
       limits[key(frame, edge)] =
@@ -1316,7 +1323,7 @@ struct Estimated_circumcenter_model : Model_of_edges
   std::map<Triple, Old_face> faces{};
 
   template <class Frame>
-  static Triple triple(const Frame& frame, Index f)
+  static Triple triple(const Frame& frame, Face_index f)
   {
     const auto v = frame.face(f);
     Triple result = {key(frame, v[0]), key(frame, v[1]), key(frame, v[2])};
@@ -1325,7 +1332,7 @@ struct Estimated_circumcenter_model : Model_of_edges
   }
 
   template <class Frame>
-  static Epick::Point_2 mean(const Frame& frame, Index f)
+  static Epick::Point_2 mean(const Frame& frame, Face_index f)
   {
     const auto v = frame.face(f);
     return CGAL::centroid(point(frame.position(v[0])), point(frame.position(v[1])),
@@ -1333,11 +1340,11 @@ struct Estimated_circumcenter_model : Model_of_edges
   }
 
   template <class Frame>
-  double slack(const Frame& frame, Index e) const
+  double slack(const Frame& frame, Edge_index e) const
   {
     if (is_at_infinity(frame, frame.edge(e)))
       return std::numeric_limits<double>::infinity();
-    const auto estimate = [&](Index f) {
+    const auto estimate = [&](Face_index f) {
       const Old_face& old = faces.at(triple(frame, f));
       return old.circumcenter + (mean(frame, f) - old.mean);
     };
@@ -1348,7 +1355,7 @@ struct Estimated_circumcenter_model : Model_of_edges
   template <class Frame>
   void end(const Frame& frame)
   {
-    frame.for_each_changed_face([&](Index f) {
+    frame.for_each_changed_face([&](Face_index f) {
       const auto v = frame.face(f);
       if (std::count(v.begin(), v.end(), 0u) == 0)
         faces[triple(frame, f)] = {CGAL::circumcenter(point(frame.position(v[0])),
@@ -1375,7 +1382,7 @@ struct Modelled
     classifier(frame, classified);
     model->begin(frame);
     const std::set<Index> named(classified.edges().begin(), classified.edges().end());
-    for (Index e = 0; e < frame.number_of_edges(); ++e) {
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const double slack = model->slack(frame, e);
       const auto& edge = frame.edge(e);
       const bool is_picked = named.count(e) > 0 || (classified.is_whole_vertex(edge.source) &&
@@ -1394,10 +1401,10 @@ struct Modelled
   template <class Frame, class Classification>
   void expect_vertices_of(const Frame& frame, const Classification& classified) const
   {
-    for (const Index v : classified.whole_vertices()) {
+    for (const Vertex_index v : classified.whole_vertices()) {
       double smallest = 1;
       frame.for_each_incident_edge(
-          v, [&](Index e) { smallest = (std::min)(smallest, model->slack(frame, e)); });
+          v, [&](Edge_index e) { smallest = (std::min)(smallest, model->slack(frame, e)); });
       EXPECT_LT(smallest, 1e-7) << "vertex " << v;
     }
   }

@@ -21,7 +21,9 @@
 namespace test_zones {
 
 using namespace CGAL::Dynamic_Delaunay_triangulations_2::internal;
+using CGAL::Dynamic_Delaunay_triangulations_2::Face_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
+using CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Kernel>;
@@ -195,24 +197,24 @@ TEST_F(Zones, Disks_of_faces_at_dense_points_are_in_the_zone)
     std::vector<bool> are_dense(frame.number_of_vertices() + std::size_t(1), false);
     Distributed_density_2 density;
     density.set_zone(zone);
-    std::vector<Index> own, ghosts;
-    for (Index v = 1; v < are_dense.size(); ++v)
+    std::vector<Vertex_index> own, ghosts;
+    for (Vertex_index v(1); v < are_dense.size(); ++v)
       (v % 3 == 0 ? ghosts : own).push_back(v);
     density.clear(own.size());
     for (std::size_t n = 0; n < own.size(); ++n)
       density.add_own(n, zone, frame.position(own[n]));
     density.find_dense(zone, [&](const auto& add) {
-      for (const Index v : ghosts)
+      for (const Vertex_index v : ghosts)
         add(frame.position(v));
     });
     for (std::size_t n = 0; n < own.size(); ++n)
       are_dense[own[n]] = density.is_dense(n);
-    for (const Index v : own) {
+    for (const Vertex_index v : own) {
       const auto p = frame.position(v);
       dense_vertices += are_dense[v];
       deep_vertices += zone.depth_around(p.x, p.y) > 4 * block_size;
     }
-    for (Index g = 0; g < frame.number_of_faces(); ++g) {
+    for (Face_index g(0); g < frame.number_of_faces(); ++g) {
       const auto face = frame.face(g);
       if (!are_dense[face[0]] && !are_dense[face[1]] && !are_dense[face[2]])
         continue;

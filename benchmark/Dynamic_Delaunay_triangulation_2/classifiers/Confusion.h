@@ -31,13 +31,13 @@ public:
   void find(const Frame& frame, const std::vector<scenario::Point>& points)
   {
     m_places.assign(frame.number_of_vertices() + 1, Place(0, 0));
-    for (typename Frame::Index v = 1; v <= frame.number_of_vertices(); ++v) {
+    for (typename Frame::Vertex_index v(1); v <= frame.number_of_vertices(); ++v) {
       const scenario::Point& point = points[frame.id(v)];
       m_places[v] = {point.x, point.y};
     }
     m_is_vertex_broken.assign(m_places.size(), false);
     m_broken_edges.clear();
-    for (typename Frame::Index e = 0; e < frame.number_of_edges(); ++e) {
+    for (typename Frame::Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const auto& edge = frame.edge(e);
       if (is_broken<Frame>(edge)) {
         m_broken_edges.push_back(e);

@@ -49,7 +49,7 @@ public:
     const double t = 0.5 * (outer - inner);
     const double reach = outer + 0.35;
     Panel panel({{o.x - reach, o.y - reach}, {o.x + reach, o.y + reach}}, "");
-    draw_edges(panel, [](Index) { return false; });
+    draw_edges(panel, [](Edge_index) { return false; });
     panel.circle(o, inner, "#1b8a2f", 4.0, "14 10");
     panel.circle(o, outer, "#1b8a2f", 4.0, "14 10");
     panel.circle(o, 0.5 * (inner + outer), "#1b8a2f", 7.0);
@@ -80,9 +80,9 @@ public:
     Panel own(part, "(a) a tolerance for each vertex");
     Panel common(part, "(b) one for all, and tight edges");
     const double t = tolerance_of_all(share);
-    draw_edges(own, [](Index) { return false; });
-    draw_edges(common, [this, t](Index e) { return m_tolerances[e] < t; });
-    for (Index v = 1; v <= frame.number_of_vertices(); ++v) {
+    draw_edges(own, [](Edge_index) { return false; });
+    draw_edges(common, [this, t](Edge_index e) { return m_tolerances[e] < t; });
+    for (Vertex_index v(1); v <= frame.number_of_vertices(); ++v) {
       own.disk(place(v), (std::max)(0.0, tolerance_of(v)), disk_color);
       own.dot(place(v), "#333333", 4.0);
       common.disk(place(v), t, disk_color);
@@ -93,7 +93,8 @@ public:
 private:
   using Motion = Followed_motion<CGAL::Circumcircle_classifier_2>;
   using Frame = typename Motion::Dynamic::Frame;
-  using Index = typename Frame::Index;
+  using Edge_index = typename Frame::Edge_index;
+  using Vertex_index = typename Frame::Vertex_index;
   using Frame_edge = typename Frame::Edge;
 
   static constexpr const char* disk_color = "rgba(27,95,213,0.45)";
@@ -114,7 +115,7 @@ private:
     return {(bc * vy - ad * uy) / determinant, (ux * ad - vx * bc) / determinant};
   }
 
-  Point place(Index v) const
+  Point place(Vertex_index v) const
   {
     const auto& position = m_motion.triangulation().frame().position(v);
     return {position.x, position.y};
@@ -124,7 +125,7 @@ private:
   {
     using CGAL::Dynamic_Delaunay_triangulations_2::internal::Edge_slack_2;
     const Frame frame = m_motion.triangulation().frame();
-    for (Index e = 0; e != frame.number_of_edges(); ++e) {
+    for (Edge_index e(0); e != frame.number_of_edges(); ++e) {
       m_tolerances.push_back(Edge_slack_2(frame.edge(e), frame.corners(e)).tolerance());
     }
   }
@@ -134,7 +135,7 @@ private:
   {
     const Frame frame = m_motion.triangulation().frame();
     std::vector<double> sorted;
-    for (Index e = 0; e != frame.number_of_edges(); ++e) {
+    for (Edge_index e(0); e != frame.number_of_edges(); ++e) {
       if (is_inner(frame.edge(e))) {
         sorted.push_back(m_tolerances[e]);
       }
@@ -150,15 +151,15 @@ private:
   }
 
   // The smallest tolerance of the edges of which v is an end, or to which it is opposite.
-  double tolerance_of(Index v) const
+  double tolerance_of(Vertex_index v) const
   {
     const Frame frame = m_motion.triangulation().frame();
     double smallest = (std::numeric_limits<double>::max)();
-    frame.for_each_incident_edge(v, [&](Index e) {
+    frame.for_each_incident_edge(v, [&](Edge_index e) {
       smallest = (std::min)(smallest, m_tolerances[e]);
-      frame.for_each_side(e, [&](Index side) {
+      frame.for_each_side(e, [&](Edge_index side) {
         const Frame_edge& edge = frame.edge(side);
-        for (const Index w : {edge.source, edge.target, edge.left, edge.right}) {
+        for (const Vertex_index w : {edge.source, edge.target, edge.left, edge.right}) {
           smallest = w == v ? (std::min)(smallest, m_tolerances[side]) : smallest;
         }
       });
@@ -167,11 +168,11 @@ private:
   }
 
   // An inner edge with an annulus neither too thin nor too thick to be seen: the middle one of all.
-  Index choose_edge() const
+  Edge_index choose_edge() const
   {
     const Frame frame = m_motion.triangulation().frame();
-    std::vector<Index> edges;
-    for (Index e = 0; e != frame.number_of_edges(); ++e) {
+    std::vector<Edge_index> edges;
+    for (Edge_index e(0); e != frame.number_of_edges(); ++e) {
       const Frame_edge& edge = frame.edge(e);
       if (is_inner(edge) && m_tolerances[e] > 0.1 && m_tolerances[e] < 0.14) {
         edges.push_back(e);
@@ -184,7 +185,7 @@ private:
   void draw_edges(Panel& panel, const Is_tight& is_tight) const
   {
     const Frame frame = m_motion.triangulation().frame();
-    for (Index e = 0; e != frame.number_of_edges(); ++e) {
+    for (Edge_index e(0); e != frame.number_of_edges(); ++e) {
       const Frame_edge& edge = frame.edge(e);
       if (!Frame::is_infinite(edge)) {
         panel.line(place(edge.source), place(edge.target), is_tight(e) ? "#d50000" : "#aaaaaa",

@@ -114,14 +114,14 @@ public:
   std::size_t number_of_neighbors(Key key) const override
   {
     std::size_t neighbors = 0;
-    for_each_neighbor(key, [&](Index) { ++neighbors; });
+    for_each_neighbor(key, [&](Vertex_index) { ++neighbors; });
     return neighbors;
   }
 
   bool is_at_hull(Key key) const override
   {
     bool is_at_hull = false;
-    for_each_neighbor(key, [&](Index v) { is_at_hull = is_at_hull || Frame::is_infinite(v); });
+    for_each_neighbor(key, [&](Vertex_index v) { is_at_hull = is_at_hull || Frame::is_infinite(v); });
     return is_at_hull;
   }
 
@@ -185,7 +185,7 @@ protected:
 
 private:
   using Frame = typename Dynamic::Frame;
-  using Index = typename Frame::Index;
+  using Vertex_index = typename Frame::Vertex_index;
   using Vertex_handle = typename Dynamic::Vertex_handle;
 
   template <class Function>
@@ -193,7 +193,7 @@ private:
   {
     const Frame frame = dynamic().frame();
     if (frame.number_of_faces() > 0) {
-      frame.for_each_neighbor(frame.vertex(static_cast<Index>(id(key))), f);
+      frame.for_each_neighbor(frame.vertex(id(key)), f);
     }
   }
 

@@ -60,10 +60,12 @@ public:
   {
     const Named named = m_function->classify(copies_of(frame, true));
     for (const std::int64_t v : named.vertices) {
-      classified.add_vertex(index(v, "vertex", frame.number_of_vertices() + std::int64_t(1)));
+      classified.add_vertex(index<typename Frame::Vertex_index>(
+          v, "vertex", frame.number_of_vertices() + std::int64_t(1)));
     }
     for (const std::int64_t e : named.edges) {
-      classified.add_edge(index(e, "edge", frame.number_of_edges()));
+      classified.add_edge(
+          index<typename Frame::Edge_index>(e, "edge", frame.number_of_edges()));
     }
   }
 
@@ -75,13 +77,14 @@ public:
 
 private:
   // Numbers of 64 bits could name something else in 32 bits.
-  static std::uint32_t index(std::int64_t number, const std::string& what, std::int64_t bound)
+  template <class Index>
+  static Index index(std::int64_t number, const std::string& what, std::int64_t bound)
   {
     if (number < 0 || number >= bound) {
       throw std::out_of_range("the classifier named " + what + ' ' + std::to_string(number) +
                               ": allowed are numbers from 0 to " + std::to_string(bound - 1));
     }
-    return std::uint32_t(number);
+    return Index(number);
   }
 
   template <class Position>
@@ -93,31 +96,33 @@ private:
   template <class Frame>
   static Frame_copies copies_of(const Frame& frame, bool is_classifying)
   {
+    using Edge_index = typename Frame::Edge_index;
+    using Vertex_index = typename Frame::Vertex_index;
     const auto positions = [frame](const auto& position_of) {
       std::vector<double> numbers;
       numbers.reserve(2 * (frame.number_of_vertices() + std::size_t(1)));
-      append(numbers, frame.position(0));
-      for (std::uint32_t v = 1; v <= frame.number_of_vertices(); ++v) {
+      append(numbers, frame.position(Vertex_index(0)));
+      for (Vertex_index v(1); v <= frame.number_of_vertices(); ++v) {
         append(numbers, position_of(v));
       }
       return numbers;
     };
     Frame_copies copies;
     copies.positions = [=] {
-      return positions([&](std::uint32_t v) { return frame.position(v); });
+      return positions([&](Vertex_index v) { return frame.position(v); });
     };
     copies.previous_positions = [=] {
       if (!is_classifying) {
         throw std::invalid_argument("previous positions are there only while classifying");
       }
-      return positions([&](std::uint32_t v) { return frame.previous_position(v); });
+      return positions([&](Vertex_index v) { return frame.previous_position(v); });
     };
     copies.edges = [=] {
       std::vector<std::int32_t> vertices;
       vertices.reserve(4 * std::size_t(frame.number_of_edges()));
-      for (std::uint32_t e = 0; e < frame.number_of_edges(); ++e) {
+      for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
         const auto edge = frame.edge(e);
-        for (const std::uint32_t v : {edge.source, edge.target, edge.left, edge.right}) {
+        for (const Vertex_index v : {edge.source, edge.target, edge.left, edge.right}) {
           vertices.push_back(std::int32_t(v));
         }
       }
@@ -126,7 +131,7 @@ private:
     copies.corners = [=] {
       std::vector<double> numbers;
       numbers.reserve(8 * std::size_t(frame.number_of_edges()));
-      for (std::uint32_t e = 0; e < frame.number_of_edges(); ++e) {
+      for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
         const auto corners = frame.corners(e);
         for (const auto& p : {corners.source, corners.target, corners.left, corners.right}) {
           append(numbers, p);
@@ -136,7 +141,7 @@ private:
     };
     copies.ids = [=] {
       std::vector<std::int32_t> ids{-1};
-      for (std::uint32_t v = 1; v <= frame.number_of_vertices(); ++v) {
+      for (Vertex_index v(1); v <= frame.number_of_vertices(); ++v) {
         ids.push_back(std::int32_t(frame.id(v)));
       }
       return ids;

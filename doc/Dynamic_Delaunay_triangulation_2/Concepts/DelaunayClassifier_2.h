@@ -108,5 +108,5 @@ public:
   \tparam Frame `CGAL::Dynamic_frame_2`
   */
   template <class Frame>
-  bool names_edge(const Frame& frame, typename Frame::Index e) const;
+  bool names_edge(const Frame& frame, typename Frame::Edge_index e) const;
 };

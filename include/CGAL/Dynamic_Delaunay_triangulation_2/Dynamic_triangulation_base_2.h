@@ -207,6 +207,11 @@ class Dynamic_triangulation_base_2
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
   using Identity_map = boost::typed_identity_property_map<typename State::Point>;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
+  using Halfedge_index = Dynamic_Delaunay_triangulations_2::Halfedge_index;
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
+  using Face_index = Dynamic_Delaunay_triangulations_2::Face_index;
+  using Point_id = Dynamic_Delaunay_triangulations_2::Point_id;
   template <class Range>
   using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
   template <class Map>
@@ -427,7 +432,7 @@ public:
     Change& change = begin_change();
     Population_input::read_newcomers(first, beyond, point_map, m_core->state, change);
     m_core->input.check(change.coming_points, change.coming);
-    for (const Index id : change.coming)
+    for (const Point_id id : change.coming)
       *ids++ = id;
     return run(change);
   }
@@ -550,7 +555,7 @@ public:
   void for_each_neighbor(size_type id, const Function& f) const
   {
     const State& state = m_core->state;
-    state.for_each_finite_neighbor(vertex_of(id), [&](Index w, const auto&... shift) {
+    state.for_each_finite_neighbor(vertex_of(id), [&](Vertex_index w, const auto&... shift) {
       f(size_type(state.ids().representative(w)), shift...);
     });
   }
@@ -576,14 +581,14 @@ public:
   /// the Classified set of the last update, as vertices of `frame()`. Empty after a rebuild that
   /// preceded classification, and if vertices have changed their numbers since. Where a
   /// frame was taken in steps, that of the last step.
-  const std::vector<Index>& classified_vertices() const
+  const std::vector<Vertex_index>& classified_vertices() const
   {
     return tools().context.classification.vertices();
   }
   /// the Padded set of the last update that spliced around the Classified set.
-  const std::vector<Index>& padded_vertices() const { return tools().context.padded; }
+  const std::vector<Vertex_index>& padded_vertices() const { return tools().context.padded; }
   /// the Border set of the last update that spliced around the Classified set.
-  const std::vector<Index>& border_vertices() const { return tools().context.border; }
+  const std::vector<Vertex_index>& border_vertices() const { return tools().context.border; }
 
   /// @}
   /// \name Checkpoints
@@ -692,11 +697,11 @@ private:
     }
   }
 
-  Index vertex_of(size_type id) const
+  Vertex_index vertex_of(size_type id) const
   {
     if (!has_id(id))
       throw Unknown_id_error_2(id, number_of_ids());
-    return m_core->state.ids().vertex(Index(id));
+    return m_core->state.ids().vertex(Point_id(id));
   }
 
   // Runs a whole frame of `Dynamic_population_2`, in periodic space perhaps with another cell.
@@ -714,7 +719,8 @@ private:
     Population_input::read_newcomers(coming.begin(), coming.end(), Identity_map(), m_core->state,
                                      change);
     change.is_frame = true;
-    change.gone.assign(gone.begin(), gone.end());
+    for (const size_type id : gone)
+      change.gone.emplace_back(id);
     change.coming = m_core->state.ids().next_ids(coming.size(), change.gone);
     const std::vector<size_type> ids(change.coming.begin(), change.coming.end());
     m_core->input.leave_out(change.gone);

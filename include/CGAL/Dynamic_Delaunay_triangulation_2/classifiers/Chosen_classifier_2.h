@@ -78,7 +78,7 @@ public:
 
   /// whether the chosen classifier names edge `e`. Exists if all `Classifiers` have this function.
   template <class Frame>
-  auto names_edge(const Frame& frame, typename Frame::Index e) const
+  auto names_edge(const Frame& frame, typename Frame::Edge_index e) const
 #ifndef DOXYGEN_RUNNING
       -> std::enable_if_t<
           (Dynamic_Delaunay_triangulations_2::internal::Has_names_edge<Classifiers, Frame>::value &&

@@ -46,7 +46,7 @@ public:
 
   /// whether edge `e` is not Delaunay.
   template <class Frame>
-  bool names_edge(const Frame& frame, typename Frame::Index e) const
+  bool names_edge(const Frame& frame, typename Frame::Edge_index e) const
   {
     return !frame.is_delaunay(e);
   }
@@ -58,6 +58,7 @@ public:
 
 private:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
 
   static constexpr std::size_t sample_size = 64;
 
@@ -87,7 +88,7 @@ private:
     std::size_t sampled = 0, broken = 0;
     const std::size_t stride = 1 + frame.number_of_edges() / sample_size;
     for (std::size_t e = 0; e < frame.number_of_edges(); e += stride, ++sampled)
-      broken += !frame.is_delaunay(Index(e));
+      broken += !frame.is_delaunay(Edge_index(e));
     return 4 * broken > 3 * sampled;
   }
 
@@ -97,13 +98,13 @@ private:
   bool is_most_of_unproved_broken(const Frame& frame) const
   {
     std::size_t unproved = 0;
-    for (const std::vector<Index>& part : m_unproved)
+    for (const std::vector<Edge_index>& part : m_unproved)
       unproved += part.size();
     if (3 * unproved <= 2 * std::size_t(frame.number_of_edges()))
       return false;
     const std::size_t stride = 1 + unproved / sample_size;
     std::size_t sampled = 0, broken = 0;
-    for (const std::vector<Index>& part : m_unproved)
+    for (const std::vector<Edge_index>& part : m_unproved)
       for (std::size_t i = 0; i < part.size(); i += stride, ++sampled)
         broken += !frame.is_delaunay(part[i]);
     return 4 * broken > 3 * sampled;
@@ -113,7 +114,7 @@ private:
   bool m_was_asked = true;          // since the last update
   bool m_nearly_all_broken = false; // in the last frame
   Dynamic_Delaunay_triangulations_2::internal::Safe_edges_schedule_2 m_schedule;
-  std::vector<std::vector<Index>> m_unproved; // of each part
+  std::vector<std::vector<Edge_index>> m_unproved; // of each part
 };
 
 // Not inline, as Update_2::run() is not.

@@ -40,14 +40,14 @@ public:
   {
     if (frame.has_changes())
       after_update(frame);
-    for (Edge_index e = 0; e < frame.number_of_edges(); ++e)
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e)
       if (names_edge(frame, e))
         classified.add_edge(e);
   }
 
   /// whether the estimated circumcenters at edge `e` have passed each other.
   template <class Frame>
-  bool names_edge(const Frame& frame, Dynamic_Delaunay_triangulations_2::Index e) const
+  bool names_edge(const Frame& frame, Dynamic_Delaunay_triangulations_2::Edge_index e) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     if (frame.is_at_infinity(e))
@@ -72,7 +72,6 @@ public:
   }
 
 private:
-  using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
   using Face_index = Dynamic_Delaunay_triangulations_2::Face_index;
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;

@@ -60,7 +60,7 @@ public:
       after_update(frame);
     // all values are squared; at the infinite vertex they are NaN, and no comparison holds
     const double lowest = m_x * m_x, highest = (2 - m_x) * (2 - m_x);
-    for (Edge_index e = 0; e < frame.number_of_edges(); ++e) {
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const double growth = relative_square(frame, e) / m_references[e];
       m_growths[e] = growth;
       if (growth < lowest || growth > highest) {
@@ -79,13 +79,13 @@ public:
       m_growths.assign(frame.number_of_edges(), 1);
       m_references.resize(frame.number_of_edges());
       sum_up(frame);
-      for (Edge_index e = 0; e < frame.number_of_edges(); ++e)
+      for (Edge_index e(0); e < frame.number_of_edges(); ++e)
         m_references[e] = relative_square(frame, e);
       return;
     }
     frame.follow_edges(m_growths);
     frame.follow_edges(m_references);
-    frame.follow_vertices(m_sums, [](Index) { return 0.; });
+    frame.follow_vertices(m_sums, [](Vertex_index) { return 0.; });
     m_changed.clear(frame.positions().size());
     for (const Edge_index e : frame.new_edges()) {
       m_growths[e] = 1;
@@ -103,7 +103,6 @@ public:
   }
 
 private:
-  using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
   using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
 
@@ -119,7 +118,7 @@ private:
   void sum_up(const Frame& frame)
   {
     m_sums.assign(frame.positions().size(), 0);
-    for (Edge_index e = 0; e < frame.number_of_edges(); ++e) {
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const double square = finite_squared_length(frame, e);
       m_sums[frame.edge(e).source] += square;
       m_sums[frame.edge(e).target] += square;
@@ -155,7 +154,7 @@ private:
   std::vector<double> m_growths;    // of each edge, squared, in the last classified frame
   std::vector<double> m_references; // what relative_square() is compared with
   std::vector<double> m_sums;       // of each vertex
-  Dynamic_Delaunay_triangulations_2::internal::Index_set m_changed;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set<Vertex_index> m_changed;
 };
 
 } // namespace CGAL

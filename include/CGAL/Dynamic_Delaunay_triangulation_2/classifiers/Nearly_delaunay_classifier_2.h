@@ -78,14 +78,13 @@ public:
 
   /// whether edge `e` is not even nearly Delaunay.
   template <class Frame>
-  bool names_edge(const Frame& frame, typename Frame::Index e) const
+  bool names_edge(const Frame& frame, typename Frame::Edge_index e) const
   {
     return !(frame.corners_are_exact(e) && is_proved_near(frame.corners(e))) &&
            !frame.is_delaunay(e);
   }
 
 private:
-  using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
 
@@ -117,7 +116,7 @@ private:
   }
 
   double m_eps;
-  std::vector<Index> m_unproved;
+  std::vector<Edge_index> m_unproved;
 };
 
 } // namespace CGAL

@@ -54,7 +54,7 @@ public:
       after_update(frame);
     // lengths are compared squared; at the infinite vertex they are NaN, and no comparison holds
     const double lowest = m_x * m_x, highest = (2 - m_x) * (2 - m_x);
-    for (typename Frame::Index e = 0; e < frame.number_of_edges(); ++e) {
+    for (typename Frame::Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const double length = squared_length(frame, e);
       const double reference = m_squared_references[e];
       if (length < lowest * reference || length > highest * reference) {
@@ -71,7 +71,7 @@ public:
     using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
     if (frame.everything_is_new()) {
       m_squared_references.resize(frame.number_of_edges());
-      for (Edge_index e = 0; e < frame.number_of_edges(); ++e)
+      for (Edge_index e(0); e < frame.number_of_edges(); ++e)
         m_squared_references[e] = squared_length(frame, e);
     } else {
       frame.follow_edges(m_squared_references);
@@ -92,7 +92,7 @@ public:
   double predict(const Frame& frame, const Velocity& velocity) const
   {
     double first = Point_distance_times_2::never;
-    for (typename Frame::Index e = 0; e < frame.number_of_edges(); ++e) {
+    for (typename Frame::Edge_index e(0); e < frame.number_of_edges(); ++e) {
       const auto& edge = frame.edge(e);
       if (frame.is_infinite(edge))
         continue;
@@ -107,7 +107,7 @@ public:
 
 private:
   template <class Frame>
-  static double squared_length(const Frame& frame, typename Frame::Index e)
+  static double squared_length(const Frame& frame, typename Frame::Edge_index e)
   {
     const auto way = frame.edge_vector(e);
     return Dynamic_Delaunay_triangulations_2::internal::dot(way, way);

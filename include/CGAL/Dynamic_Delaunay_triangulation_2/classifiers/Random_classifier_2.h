@@ -49,7 +49,7 @@ public:
   void operator()(const Frame& frame, Classification& classified)
   {
     // 53 random bits as a double in [0, 1): the standard's distributions differ between libraries
-    for (typename Frame::Index id = 0; id < frame.number_of_ids(); ++id)
+    for (typename Frame::Point_id id(0); id < frame.number_of_ids(); ++id)
       if (frame.has_id(id) && double(m_random() >> 11) * 0x1p-53 < m_p)
         classified.add_id(id);
   }

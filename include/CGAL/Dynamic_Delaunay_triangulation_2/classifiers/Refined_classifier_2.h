@@ -125,7 +125,6 @@ public:
 
 private:
   using Exactness = Dynamic_Delaunay_triangulations_2::internal::Exactness_of_two_2<First, Second>;
-  using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
   using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
 
@@ -164,7 +163,7 @@ private:
     keep_named(
         frame, first, second, [this](Edge_index e) { return m_named.contains(e); }, classified);
     keep_named(
-        frame, second, first, [](Index) { return false; },
+        frame, second, first, [](Edge_index) { return false; },
         classified); // edges that both name are in already
     if (is_classifier_exact(*this))
       keep_of_opposite_ends(frame, first, second, classified);
@@ -213,8 +212,8 @@ private:
 
   First m_first;
   Second m_second;
-  Dynamic_Delaunay_triangulations_2::internal::Index_set m_seen;  // edges
-  Dynamic_Delaunay_triangulations_2::internal::Index_set m_named; // edges, by the second one
+  Dynamic_Delaunay_triangulations_2::internal::Index_set<Edge_index> m_seen;  // edges
+  Dynamic_Delaunay_triangulations_2::internal::Index_set<Edge_index> m_named; // edges, by the second one
 };
 
 } // namespace CGAL

@@ -82,7 +82,6 @@ public:
   }
 
 private:
-  using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
   using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
@@ -95,7 +94,7 @@ private:
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     m_moved.clear();
-    for (Vertex_index v = 1; v <= frame.number_of_vertices(); ++v)
+    for (Vertex_index v(1); v <= frame.number_of_vertices(); ++v)
       if (!(squared_distance(frame.position(v), m_references[v]) <= m_squared_bounds[v]))
         m_moved.push_back(v);
     add_relocated(frame);
@@ -147,9 +146,9 @@ private:
     m_cell_changes = frame.number_of_cell_changes();
     m_tolerances.resize(frame.number_of_edges());
     m_squared_bounds.resize(m_references.size());
-    for (Edge_index e = 0; e < frame.number_of_edges(); ++e)
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e)
       measure(frame, e);
-    for (Vertex_index v = 1; v <= frame.number_of_vertices(); ++v)
+    for (Vertex_index v(1); v <= frame.number_of_vertices(); ++v)
       take_smallest(frame, v);
     m_holds = true;
   }
@@ -159,7 +158,7 @@ private:
   {
     m_holds = false; // until it is done: memory may run out
     frame.follow_vertices(m_references, [&](Vertex_index v) { return frame.position(v); });
-    frame.follow_vertices(m_squared_bounds, [](Index) { return -1.; });
+    frame.follow_vertices(m_squared_bounds, [](Vertex_index) { return -1.; });
     frame.follow_edges(m_tolerances);
     if (!frame.has_other_numbers())
       add_relocated(frame);
@@ -204,9 +203,10 @@ private:
   std::size_t m_cell_changes = 0;       // when these were taken
   std::vector<double> m_squared_bounds; // of the disks' radii; negative where there is no disk
   std::vector<double> m_tolerances;     // of each edge
-  std::vector<Index> m_moved;           // vertices that left their disks
-  std::vector<Index> m_unproved;
-  Dynamic_Delaunay_triangulations_2::internal::Index_set m_edges, m_vertices;
+  std::vector<Vertex_index> m_moved;           // vertices that left their disks
+  std::vector<Edge_index> m_unproved;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set<Edge_index> m_edges;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set<Vertex_index> m_vertices;
   unsigned m_held = 0;      // the number of frames for which the disks have held
   unsigned m_next_rest = 1; // frames
   unsigned m_rest = 0;      // frames

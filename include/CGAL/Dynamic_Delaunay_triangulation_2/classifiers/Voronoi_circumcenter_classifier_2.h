@@ -41,14 +41,14 @@ public:
   template <class Frame, class Classification>
   void operator()(const Frame& frame, Classification& classified) const
   {
-    for (typename Frame::Index e = 0; e < frame.number_of_edges(); ++e)
+    for (typename Frame::Edge_index e(0); e < frame.number_of_edges(); ++e)
       if (names_edge(frame, e))
         classified.add_edge(e);
   }
 
   /// whether the circumcenters at edge `e` have passed each other.
   template <class Frame>
-  bool names_edge(const Frame& frame, typename Frame::Index e) const
+  bool names_edge(const Frame& frame, typename Frame::Edge_index e) const
   {
     using namespace Dynamic_Delaunay_triangulations_2::internal;
     if (frame.is_at_infinity(e))

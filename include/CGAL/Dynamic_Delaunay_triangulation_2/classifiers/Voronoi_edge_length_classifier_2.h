@@ -61,14 +61,14 @@ public:
   {
     if (frame.has_changes())
       after_update(frame);
-    for (Edge_index e = 0; e < frame.number_of_edges(); ++e)
+    for (Edge_index e(0); e < frame.number_of_edges(); ++e)
       if (names_edge(frame, e))
         classified.add_edge(e);
   }
 
   /// whether motion has used up too much of the Voronoi edge of edge `e`.
   template <class Frame>
-  bool names_edge(const Frame& frame, Dynamic_Delaunay_triangulations_2::Index e) const
+  bool names_edge(const Frame& frame, Dynamic_Delaunay_triangulations_2::Edge_index e) const
   {
     if (frame.is_at_infinity(e))
       return frame.breaks_hull(e);
@@ -93,7 +93,6 @@ public:
   }
 
 private:
-  using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
   using Corners = Dynamic_Delaunay_triangulations_2::Edge_corners_2;
@@ -125,7 +124,7 @@ private:
 
   double m_x;
   std::vector<double> m_limits; // of |bc| - |ad|, for each edge
-  Dynamic_Delaunay_triangulations_2::internal::Index_set m_measured;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set<Edge_index> m_measured;
 };
 
 } // namespace CGAL

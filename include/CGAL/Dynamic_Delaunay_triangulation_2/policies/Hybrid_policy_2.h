@@ -92,7 +92,7 @@ private:
     const std::size_t stride = smallest_stride + edges / max_edges;
     std::size_t sampled = 0, broken = 0;
     for (std::size_t e = 0; e < edges; e += stride, ++sampled)
-      broken += !frame.is_delaunay(typename Frame::Index(e));
+      broken += !frame.is_delaunay(typename Frame::Edge_index(e));
     return double(broken) / double(sampled);
   }
 

@@ -231,13 +231,13 @@ private:
     return some_are_in ? some_are_out ? REGULAR : INTERIOR : is_alone ? SINGULAR : EXTERIOR;
   }
 
-  // Calls f(i) for all numbers below `size`.
-  template <class Dynamic, class Function>
+  // Calls f(i) for all numbers i of one kind below `size`.
+  template <class Index_of_kind, class Dynamic, class Function>
   static void for_each(std::size_t size, const Function& f)
   {
     Dynamic::Frame::Parts::for_each(size, [&](std::size_t, std::size_t i, std::size_t beyond) {
       for (; i < beyond; ++i)
-        f(Dynamic_Delaunay_triangulations_2::Index(i));
+        f(Index_of_kind(i));
     });
   }
 
@@ -245,8 +245,8 @@ private:
   void classify_faces(const Dynamic& dt, const Test& test)
   {
     m_faces.resize(dt.frame().number_of_faces());
-    for_each<Dynamic>(m_faces.size(),
-                      [&](auto f) { m_faces[f] = test.has_face(f) ? INTERIOR : EXTERIOR; });
+    for_each<typename Dynamic::Frame::Face_index, Dynamic>(
+        m_faces.size(), [&](auto f) { m_faces[f] = test.has_face(f) ? INTERIOR : EXTERIOR; });
   }
 
   template <class Dynamic, class Test>
@@ -254,7 +254,7 @@ private:
   {
     const Arrays& arrays = dt.frame().state().arrays();
     m_edges.resize(dt.frame().number_of_edges());
-    for_each<Dynamic>(m_edges.size(), [&](auto e) {
+    for_each<typename Dynamic::Frame::Edge_index, Dynamic>(m_edges.size(), [&](auto e) {
       const auto h = arrays.halfedge(e);
       const bool is_left = m_faces[Arrays::face_of(h)] == INTERIOR;
       const bool is_right = m_faces[Arrays::face_of(arrays.twin(h))] == INTERIOR;
@@ -269,15 +269,17 @@ private:
     const auto frame = dt.frame();
     const Arrays& arrays = frame.state().arrays();
     m_points.assign(frame.number_of_ids(), EXTERIOR);
-    for_each<Dynamic>(frame.number_of_vertices(), [&](auto i) {
+    using Vertex_index = typename Dynamic::Frame::Vertex_index;
+    for_each<Vertex_index, Dynamic>(frame.number_of_vertices(), [&](auto i) {
+      const Vertex_index v = i + 1; // the infinite vertex has no point
       bool some_are_in = false, some_are_out = false;
       if (!m_faces.empty())
-        arrays.for_each_corner(i + 1, [&](auto h) {
+        arrays.for_each_corner(v, [&](auto h) {
           const bool is_in = m_faces[Arrays::face_of(h)] == INTERIOR;
           some_are_in = some_are_in || is_in;
           some_are_out = some_are_out || !is_in;
         });
-      m_points[frame.id(i + 1)] = at_faces(some_are_in, some_are_out, true);
+      m_points[frame.id(v)] = at_faces(some_are_in, some_are_out, true);
     });
     frame.for_each_duplicate([&](auto id) { m_points[id] = m_points[frame.id(frame.vertex(id))]; });
   }

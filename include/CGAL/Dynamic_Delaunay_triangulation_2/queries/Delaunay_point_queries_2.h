@@ -61,6 +61,7 @@ template <class Dynamic>
 class Delaunay_point_queries_2
 {
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
   using State = Dynamic_Delaunay_triangulations_2::internal::State_of_2<Dynamic>;
   using Query = Dynamic_Delaunay_triangulations_2::internal::Query_2<State>;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
@@ -295,13 +296,13 @@ private:
 
   // The nearest of the last answer and a few evenly spread vertices, whose numbers follow a spatial
   // order.
-  Index start_of_walk(const Query& query) const
+  Vertex_index start_of_walk(const Query& query) const
   {
     const Index bound = query.state().number_of_vertices() + 1;
     const Index step = Index(std::cbrt(double(bound) * bound)); // visits about n^(1/3)
-    Index nearest = m_last < bound ? m_last : 1;
+    Vertex_index nearest = m_last < bound ? m_last : Vertex_index(1);
     double square = query.rounded_squared_distance(nearest);
-    for (Index v = 1; v < bound; v += step)
+    for (Vertex_index v(1); v < bound; v += step)
       if (const double other = query.rounded_squared_distance(v); other < square) {
         nearest = v;
         square = other;
@@ -380,7 +381,7 @@ private:
   }
 
   const Dynamic* m_dt;
-  mutable Index m_last = 1; // the vertex found by the last walk
+  mutable Vertex_index m_last{1}; // the vertex found by the last walk
   mutable Dynamic_Delaunay_triangulations_2::internal::Site_set_2<State> m_found;
   mutable std::vector<Site> m_open; // sites whose neighbors flood() has still to visit
 };

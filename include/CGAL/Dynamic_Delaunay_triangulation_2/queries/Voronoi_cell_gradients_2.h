@@ -97,6 +97,7 @@ vertices before.
 class Voronoi_cell_gradients_2
 {
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
   using Face = Dynamic_Delaunay_triangulations_2::internal::Voronoi_face_2;
 
 public:
@@ -170,7 +171,7 @@ private:
     std::atomic<bool> is_any_flat{false};
     m_sums.run(
         space,
-        [&](const std::array<Index, 3>& cells, const Face& face, const auto& add) {
+        [&](const std::array<Vertex_index, 3>& cells, const Face& face, const auto& add) {
           if (!face.is_flat())
             add_face(cells, face, add);
           else if (!(m_cells[cells[0]].is_unbounded && m_cells[cells[1]].is_unbounded &&
@@ -192,7 +193,7 @@ private:
     Dynamic_Delaunay_triangulations_2::internal::Cell_sums_2<bool> unbounded;
     unbounded.run(
         space,
-        [](const std::array<Index, 3>& cells, const Face& face, const auto& add) {
+        [](const std::array<Vertex_index, 3>& cells, const Face& face, const auto& add) {
           if (face.is_flat())
             for (const Index c : cells)
               add(c, true);
@@ -217,7 +218,7 @@ private:
   }
 
   template <class Add>
-  void add_face(const std::array<Index, 3>& cells, const Face& face, const Add& add) const
+  void add_face(const std::array<Vertex_index, 3>& cells, const Face& face, const Add& add) const
   {
     using Dynamic_Delaunay_triangulations_2::internal::dot;
     if (!(m_cells[cells[0]].has_weight() || m_cells[cells[1]].has_weight() ||

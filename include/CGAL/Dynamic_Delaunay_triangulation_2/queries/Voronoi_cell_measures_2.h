@@ -97,6 +97,7 @@ vertices before, and, for clipped cells, if no cell has more corners than any ce
 class Voronoi_cell_measures_2
 {
   using Index = Dynamic_Delaunay_triangulations_2::Index;
+  using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
   using Face = Dynamic_Delaunay_triangulations_2::internal::Voronoi_face_2;
   template <class Dynamic>
   using Space = Dynamic_Delaunay_triangulations_2::internal::Voronoi_space_2<Dynamic>;
@@ -128,7 +129,7 @@ public:
     start(space);
     m_sums.run(
         space,
-        [](const std::array<Index, 3>& cells, const Face& face, const auto& add) {
+        [](const std::array<Vertex_index, 3>& cells, const Face& face, const auto& add) {
           add_face(cells, face, add);
         },
         [this](Index c, const Cell& part) {
@@ -257,7 +258,7 @@ private:
   // WHOLE CELLS ---------------------------------------------------------------------------------
 
   template <class Add>
-  static void add_face(const std::array<Index, 3>& cells, const Face& face, const Add& add)
+  static void add_face(const std::array<Vertex_index, 3>& cells, const Face& face, const Add& add)
   {
     if (face.is_flat()) {
       for (const Index c : cells)

@@ -34,6 +34,7 @@ public:
   using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index; ///< the number of a vertex.
   using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;     ///< the number of an edge.
+  using Point_id = Dynamic_Delaunay_triangulations_2::Point_id;         ///< the id of a point.
 
   /// \cond
   void clear(const State& state)
@@ -75,7 +76,7 @@ public:
   {
     if (!m_state->ids().is_taken(id))
       throw Unknown_id_error_2(id, m_state->ids().number_of_ids());
-    add_vertex(m_state->ids().vertex(Index(id)));
+    add_vertex(m_state->ids().vertex(Point_id(id)));
   }
 
   /// classifies the four vertices of edge `e` because of that edge alone: repairs that work on
@@ -109,7 +110,7 @@ public:
 
   /// classifies those edges of a list that are not Delaunay. Prefetches their data.
   template <class Frame>
-  void add_unless_delaunay(const Frame& frame, const std::vector<Index>& edges)
+  void add_unless_delaunay(const Frame& frame, const std::vector<Edge_index>& edges)
   {
     for (std::size_t i = 0; i < edges.size(); ++i) {
       prefetch_some(edges, i);
@@ -120,11 +121,11 @@ public:
   /// classifies those edges of several lists that are not Delaunay, in their order. Threads share
   /// the work if there are many lists and the triangulation has the `Parallel_tag`.
   template <class Frame>
-  void add_unless_delaunay(const Frame& frame, const std::vector<std::vector<Index>>& lists)
+  void add_unless_delaunay(const Frame& frame, const std::vector<std::vector<Edge_index>>& lists)
   {
     using Parts = typename Frame::Parts;
     if (!Parts::are_shared(lists.size())) {
-      for (const std::vector<Index>& edges : lists)
+      for (const std::vector<Edge_index>& edges : lists)
         add_unless_delaunay(frame, edges);
       return;
     }
@@ -153,14 +154,14 @@ public:
   /// the number of classified vertices.
   std::size_t size() const { return m_vertices.size(); }
   /// the classified vertices, in the order of their classification.
-  const std::vector<Index>& vertices() const { return m_vertices.members(); }
+  const std::vector<Vertex_index>& vertices() const { return m_vertices.members(); }
   /// the vertices given to `add_vertex()` or `add_id()`.
-  const std::vector<Index>& whole_vertices() const { return m_whole_vertices.members(); }
+  const std::vector<Vertex_index>& whole_vertices() const { return m_whole_vertices.members(); }
   /// whether vertex `v` was given to `add_vertex()` or `add_id()`.
   bool is_whole_vertex(Vertex_index v) const { return m_whole_vertices.contains(v); }
   /// the edges given to `add_edge()` or `add_illegal_edge()`; see `number_of_illegal_edges()` for
   /// their order.
-  const std::vector<Index>& edges() const { return m_edges; }
+  const std::vector<Edge_index>& edges() const { return m_edges; }
 
 private:
   // An edge that is not Delaunay, with its vertices, which the finding thread has in its cache.
@@ -168,11 +169,11 @@ private:
   {
     Edge_index edge;
     bool is_illegal;
-    std::array<Index, 4> vertices;
+    std::array<Vertex_index, 4> vertices;
   };
 
   template <class Frame>
-  void find_broken(const Frame& frame, const std::vector<Index>& edges,
+  void find_broken(const Frame& frame, const std::vector<Edge_index>& edges,
                    std::vector<Broken_edge>& broken) const
   {
     using Dynamic_Delaunay_triangulations_2::Edge_state_2;
@@ -196,7 +197,7 @@ private:
   }
 
   // Prefetches the data of the edges that a pass over `edges` will test soon after edge i.
-  void prefetch_some(const std::vector<Index>& edges, std::size_t i) const
+  void prefetch_some(const std::vector<Edge_index>& edges, std::size_t i) const
   {
     constexpr std::size_t ahead = 8;
     const auto& arrays = m_state->arrays();
@@ -224,14 +225,14 @@ private:
       std::swap(m_edges.back(), m_edges[m_edges.size() - 1 - m_number_of_illegal]);
   }
 
-  std::array<Index, 4> vertices_of(Edge_index e) const
+  std::array<Vertex_index, 4> vertices_of(Edge_index e) const
   {
     const auto& edge = m_state->edge(e);
     return {edge.source, edge.target, edge.left, edge.right};
   }
 
   template <class Function>
-  static void for_each_finite(const std::array<Index, 4>& vertices, const Function& f)
+  static void for_each_finite(const std::array<Vertex_index, 4>& vertices, const Function& f)
   {
     for (const Vertex_index v : vertices)
       if (v != Dynamic_Delaunay_triangulations_2::internal::infinite_index)
@@ -239,9 +240,9 @@ private:
   }
 
   const State* m_state = nullptr;
-  Dynamic_Delaunay_triangulations_2::internal::Index_set m_vertices;
-  Dynamic_Delaunay_triangulations_2::internal::Index_set m_whole_vertices;
-  std::vector<Index> m_edges;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set<Vertex_index> m_vertices;
+  Dynamic_Delaunay_triangulations_2::internal::Index_set<Vertex_index> m_whole_vertices;
+  std::vector<Edge_index> m_edges;
   std::vector<std::vector<Broken_edge>> m_broken; // of each list
   std::size_t m_number_of_illegal = 0;
   bool m_hull_turns_once = false;
@@ -283,7 +284,7 @@ struct Has_names_edge : std::false_type
 template <class Classifier, class Frame>
 struct Has_names_edge<Classifier, Frame,
                       std::void_t<decltype(std::declval<const Classifier&>().names_edge(
-                          std::declval<const Frame&>(), Index()))>> : std::true_type
+                          std::declval<const Frame&>(), Edge_index()))>> : std::true_type
 {
 };
 

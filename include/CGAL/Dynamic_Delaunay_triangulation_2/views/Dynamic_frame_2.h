@@ -41,8 +41,9 @@ class Dynamic_frame_2
 public:
   /// the type of all numbers: an unsigned integer of 32 bits.
   using Index = Dynamic_Delaunay_triangulations_2::Index;
-  /// the number of a vertex. Any number converts to it, and it converts to `Index`, but not to the
-  /// number of another kind of element. Likewise the following types.
+  /// the number of a vertex. A number becomes one as in `Vertex_index(1)`, and it converts to
+  /// `Index`; but it neither converts to nor compares with the number of another kind of element.
+  /// Likewise the following types.
   using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
   using Halfedge_index = Dynamic_Delaunay_triangulations_2::Halfedge_index; ///< of a half-edge.
   using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;         ///< of an edge.
@@ -87,7 +88,7 @@ public:
   /// whether a point has the id `id`.
   bool has_id(std::size_t id) const { return m_state->ids().is_taken(id); }
   /// the vertex of the point `id`. \pre `has_id(id)`
-  Vertex_index vertex(std::size_t id) const { return m_state->ids().vertex(Index(id)); }
+  Vertex_index vertex(std::size_t id) const { return m_state->ids().vertex(Point_id(id)); }
   /// the id of the point at the finite vertex `v`. If several points share it, this is the id of
   /// their representative, the one that was there first.
   Point_id id(Vertex_index v) const { return m_state->ids().representative(v); }
@@ -133,18 +134,18 @@ public:
     return is_infinite(edge.source) || is_infinite(edge.target);
   }
   /// the three vertices of face `f`. They were counterclockwise when the face was made.
-  std::array<Index, 3> face(Face_index f) const { return m_state->face(f); }
+  std::array<Vertex_index, 3> face(Face_index f) const { return m_state->face(f); }
 
   /// the two faces at edge `e`: first the one with the vertex `left` of `edge(e)`, then the one
   /// with `right`.
-  std::array<Index, 2> faces_at(Edge_index e) const
+  std::array<Face_index, 2> faces_at(Edge_index e) const
   {
     const auto& arrays = m_state->arrays();
     if (arrays.is_empty_edge(e))
-      return {0, 0};
+      return {Face_index(0), Face_index(0)};
     const Halfedge_index h = arrays.halfedge(e);
     const Face_index f = arrays.face_of(h), g = arrays.face_of(arrays.twin(h));
-    return m_state->is_along(e, h) ? std::array<Index, 2>{f, g} : std::array<Index, 2>{g, f};
+    return m_state->is_along(e, h) ? std::array<Face_index, 2>{f, g} : std::array<Face_index, 2>{g, f};
   }
 
   /// calls `f(w)` for every neighbor `w` of vertex `v`, including the infinite vertex.
@@ -239,12 +240,12 @@ public:
   /// this way, and lets `Dynamic_classification_2::add_unless_delaunay()` decide about the appended
   /// ones. Cost: one pass, with AVX2 four edges at once.
   /// \pre `first <= beyond`, and `beyond <= number_of_edges()`
-  void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
+  void append_unproved(Index first, Index beyond, std::vector<Edge_index>& unproved) const
   {
     Edge_test(*m_state).append_unproved(first, beyond, unproved);
   }
   /// appends to `unproved` those of the edges in a list for which `proves_delaunay()` is false.
-  void append_unproved(const std::vector<Index>& edges, std::vector<Index>& unproved) const
+  void append_unproved(const std::vector<Edge_index>& edges, std::vector<Edge_index>& unproved) const
   {
     Edge_test(*m_state).append_unproved(edges, unproved);
   }
@@ -270,13 +271,13 @@ public:
   bool everything_is_new() const { return m_state->changes().everything_is_new; }
   /// if not everything is new: the edges in the regions that were triangulated anew. After an
   /// update each of them is listed once.
-  const std::vector<Index>& new_edges() const { return m_state->changes().new_edges; }
+  const std::vector<Edge_index>& new_edges() const { return m_state->changes().new_edges; }
   /// the vertices that jumped and were moved to other faces, if not everything is new and no
   /// numbers changed. All their edges are among `new_edges()`. In periodic space also the vertices
   /// of points that are given by another image than before, as where they were wrapped: their edges
   /// need not be new, and a classifier is told of them already while it classifies. A classifier
   /// that remembers positions has to replace those of these vertices.
-  const std::vector<Index>& relocated_vertices() const { return m_state->changes().relocated; }
+  const std::vector<Vertex_index>& relocated_vertices() const { return m_state->changes().relocated; }
   /// whether vertices were inserted or removed, but not everything is new. Then some vertices,
   /// edges and faces have taken the numbers of removed ones.
   bool has_other_numbers() const
@@ -298,7 +299,7 @@ public:
   void follow_edges(std::vector<T>& data) const
   {
     m_state->changes().renumberings.edges.follow(data, number_of_edges(),
-                                                 [](Index) { return T(); });
+                                                 [](Edge_index) { return T(); });
   }
   /// updates per-face data, with `T()` for new faces, all of which `for_each_changed_face()`
   /// visits.
@@ -306,7 +307,7 @@ public:
   void follow_faces(std::vector<T>& data) const
   {
     m_state->changes().renumberings.faces.follow(data, number_of_faces(),
-                                                 [](Index) { return T(); });
+                                                 [](Face_index) { return T(); });
   }
   /// whether anything was triangulated anew. While classifying, this is true only if an exception
   /// ended the last update before the classifier was told.
@@ -322,7 +323,7 @@ public:
   void for_each_changed_edge(Function&& f) const
   {
     if (everything_is_new()) {
-      for (Edge_index e = 0; e < number_of_edges(); ++e)
+      for (Edge_index e(0); e < number_of_edges(); ++e)
         f(e);
       return;
     }
@@ -338,7 +339,7 @@ public:
   void for_each_changed_face(Function&& f) const
   {
     if (everything_is_new()) {
-      for (Face_index g = 0; g < number_of_faces(); ++g)
+      for (Face_index g(0); g < number_of_faces(); ++g)
         f(g);
       return;
     }

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Index_of.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
@@ -15,7 +16,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -23,55 +23,7 @@
 
 namespace CGAL {
 namespace Dynamic_Delaunay_triangulations_2 {
-/// Index of a vertex, a half-edge, an edge or a face in the flat arrays.
-using Index = std::uint32_t;
-
-/// An index of one kind of elements. Numbers convert to it, but not indices of another kind.
-template <class Element>
-class Index_of
-{
-public:
-  Index_of() = default;
-  constexpr Index_of(Index number)
-    : m_number(number)
-  {
-  }
-  template <class Other>
-  Index_of(Index_of<Other>) = delete;
-
-  constexpr operator Index() const { return m_number; }
-  Index_of& operator++()
-  {
-    ++m_number;
-    return *this;
-  }
-  Index_of operator++(int) { return m_number++; }
-  Index_of& operator+=(Index step)
-  {
-    m_number += step;
-    return *this;
-  }
-
-private:
-  Index m_number;
-};
-
-/// \name Indices of each kind
-/// @{
-using Vertex_index = Index_of<struct Vertex_element>;
-using Halfedge_index = Index_of<struct Halfedge_element>;
-using Edge_index = Index_of<struct Edge_element>;
-using Face_index = Index_of<struct Face_element>;
-using Point_id = Index_of<struct Point_element>; ///< of a point, not of its vertex
-/// @}
-
 namespace internal {
-
-constexpr Index infinite_index = 0;
-constexpr Index null_index = (std::numeric_limits<Index>::max)();
-// The most vertices whose half-edges have numbers that fit into Index: static engines number eight
-// of them per vertex.
-constexpr Index max_vertices = null_index / 8;
 
 // Makes room for `more` further elements, so that appending them cannot throw. Grows by doubling,
 // which `reserve()` alone does not.
@@ -119,20 +71,21 @@ private:
 // A set of indices below a bound, in the order of insertion. Membership is stored as bits, so that
 // random look-ups stay in the cache. Clearing takes time proportional to the number of members.
 // After the first frames nothing is allocated.
+template <class Index_of_kind>
 class Index_set
 {
 public:
   void clear(std::size_t bound)
   {
-    for (const Index i : m_members)
+    for (const Index_of_kind i : m_members)
       m_words[i / bits] = 0;
     m_members.clear();
     m_words.resize((bound + bits - 1) / bits, 0);
   }
 
-  bool contains(Index i) const { return m_words[i / bits] >> i % bits & 1; }
+  bool contains(Index_of_kind i) const { return m_words[i / bits] >> i % bits & 1; }
 
-  bool insert(Index i)
+  bool insert(Index_of_kind i)
   {
     if (contains(i))
       return false;
@@ -148,7 +101,7 @@ public:
   {
     std::size_t size = m_members.size();
     m_members.resize(size + most);
-    f([&](Index i) {
+    f([&](Index_of_kind i) {
       std::uint64_t& word = m_words[i / bits];
       const std::uint64_t bit = std::uint64_t(1) << i % bits;
       m_members[size] = i;
@@ -159,10 +112,10 @@ public:
   }
 
   // Replaces the content by these indices.
-  void assign(const std::vector<Index>& indices, std::size_t bound)
+  void assign(const std::vector<Index_of_kind>& indices, std::size_t bound)
   {
     clear(bound);
-    for (const Index i : indices)
+    for (const Index_of_kind i : indices)
       insert(i);
   }
 
@@ -171,28 +124,29 @@ public:
   {
     clear(bound);
     m_members.resize(bound - first);
-    std::iota(m_members.begin(), m_members.end(), first);
-    for (const Index i : m_members)
+    std::iota(m_members.begin(), m_members.end(), Index_of_kind(first));
+    for (const Index_of_kind i : m_members)
       m_words[i / bits] |= std::uint64_t(1) << i % bits;
   }
 
   std::size_t size() const { return m_members.size(); }
   bool empty() const { return m_members.empty(); }
-  Index operator[](std::size_t i) const { return m_members[i]; }
-  const std::vector<Index>& members() const { return m_members; }
+  Index_of_kind operator[](std::size_t i) const { return m_members[i]; }
+  const std::vector<Index_of_kind>& members() const { return m_members; }
   auto begin() const { return m_members.begin(); }
   auto end() const { return m_members.end(); }
 
 private:
   static constexpr Index bits = 64;
 
-  std::vector<Index> m_members;
+  std::vector<Index_of_kind> m_members;
   std::vector<std::uint64_t> m_words;
 };
 
 // Sorts the indices and removes repeated ones, by one bit per number from smallest to largest.
 // Returns false and changes nothing if scanning the bits would take longer than sorting.
-inline bool make_distinct_by_bits(std::vector<Index>& indices)
+template <class Index_of_kind>
+bool make_distinct_by_bits(std::vector<Index_of_kind>& indices)
 {
   constexpr std::size_t few = 64, words_per_index = 8;
   constexpr Index bits = 64;
@@ -209,24 +163,26 @@ inline bool make_distinct_by_bits(std::vector<Index>& indices)
   auto place = indices.begin();
   for (std::size_t w = 0; w < words; ++w)
     for (std::uint64_t word = are_there[w]; word != 0; word &= word - 1)
-      *place++ = first + Index(w) * bits + lowest_bit(word);
+      *place++ = Index_of_kind(first + Index(w) * bits + lowest_bit(word));
   indices.erase(place, indices.end());
   return true;
 }
 
 // Sorts the indices and removes repeated ones. If they are many, sorting takes some 50 ns each.
-inline void make_distinct(std::vector<Index>& indices)
+template <class Index_of_kind>
+void make_distinct(std::vector<Index_of_kind>& indices)
 {
   if (make_distinct_by_bits(indices))
     return;
-  boost::sort::spreadsort::integer_sort(indices.begin(), indices.end());
+  boost::sort::spreadsort::integer_sort(
+      indices.begin(), indices.end(), [](Index i, unsigned digits) { return i >> digits; });
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
 }
 
 // Removes the i-th of the indices if is(i, beyond). Threads share the calls: `beyond` is the end of
 // the part with i, up to which `is` may fetch ahead.
-template <class Parts, class Predicate>
-void remove_by_parts(std::vector<Index>& indices, std::size_t least, const Predicate& is)
+template <class Parts, class Index_of_kind, class Predicate>
+void remove_by_parts(std::vector<Index_of_kind>& indices, std::size_t least, const Predicate& is)
 {
   Parts::for_each(indices.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
     for (; i < beyond; ++i)

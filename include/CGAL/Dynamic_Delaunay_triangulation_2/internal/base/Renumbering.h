@@ -18,6 +18,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // How the numbers of vertices, edges or faces have changed in a call. The last element takes the
 // number of a removed one. An added element takes the number of a removed one, or the next number.
+template <class Index_of_kind>
 class Renumbering
 {
 public:
@@ -33,7 +34,7 @@ public:
   }
 
   // The last element takes the number of a removed one.
-  void note_move(Index last, Index to)
+  void note_move(Index_of_kind last, Index_of_kind to)
   {
     const bool has_come = last >= m_kept;
     m_kept = (std::min)(m_kept, last);
@@ -42,14 +43,14 @@ public:
   }
 
   // An added element takes the number of a removed one.
-  void note_replacement(Index i)
+  void note_replacement(Index_of_kind i)
   {
     if (i < m_kept)
       m_moves.emplace_back(null_index, i);
   }
 
   // Added elements get the numbers from `first` on.
-  void note_appended(Index first) { m_kept = (std::min)(m_kept, first); }
+  void note_appended(Index_of_kind first) { m_kept = (std::min)(m_kept, first); }
 
   // Renumbers `data`, one entry per element, in the same way. `make(i)` makes the entry of an added
   // element, whose number is i.
@@ -67,21 +68,23 @@ public:
     if (m_kept < data.size())
       data.erase(data.begin() + std::ptrdiff_t(m_kept), data.end());
     while (data.size() < size)
-      data.push_back(make(Index(data.size())));
+      data.push_back(make(Index_of_kind(data.size())));
     for (const Index i : come)
       if (i < m_kept)
-        data[i] = make(i);
+        data[i] = make(Index_of_kind(i));
   }
 
 private:
   // Moves in order, from number to number; from `null_index` if the element was added in this call.
-  std::vector<std::pair<Index, Index>> m_moves;
-  Index m_kept = null_index; // elements that existed before the call have smaller numbers
+  std::vector<std::pair<Index_of_kind, Index_of_kind>> m_moves;
+  Index_of_kind m_kept = null_index; // elements that existed before the call have smaller numbers
 };
 
 struct Renumberings
 {
-  Renumbering vertices, edges, faces;
+  Renumbering<Vertex_index> vertices;
+  Renumbering<Edge_index> edges;
+  Renumbering<Face_index> faces;
 
   bool are_none() const { return vertices.is_none() && edges.is_none() && faces.is_none(); }
 

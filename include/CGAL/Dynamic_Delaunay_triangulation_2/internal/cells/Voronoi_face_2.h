@@ -111,7 +111,7 @@ public:
     for (Summands& summands : m_left_over)
       summands.clear();
     space.for_each_face(
-        [&](std::size_t part, const std::array<Index, 3>& cells, const Voronoi_face_2& face) {
+        [&](std::size_t part, const std::array<Vertex_index, 3>& cells, const Voronoi_face_2& face) {
           f(cells, face, [&](Index c, const Summand& summand) {
             if (space.has_cell(part, c))
               apply(c, summand);

@@ -49,11 +49,11 @@ public:
   {
   }
 
-  BOOST_FORCEINLINE Position_2 operator()(Index v, Index w, const Periodic_shift_2&) const
+  BOOST_FORCEINLINE Position_2 operator()(Vertex_index v, Vertex_index w, const Periodic_shift_2&) const
   {
     return m_vector(v, w);
   }
-  static double error(Index, const Position_2&, const Periodic_shift_2&, const Position_2&,
+  static double error(Vertex_index, const Position_2&, const Periodic_shift_2&, const Position_2&,
                       const Periodic_shift_2&)
   {
     return 0;
@@ -74,7 +74,7 @@ public:
   }
 
   // Rounded as in the triangulation.
-  BOOST_FORCEINLINE Position_2 operator()(Index v, Index w, const Periodic_shift_2& shift) const
+  BOOST_FORCEINLINE Position_2 operator()(Vertex_index v, Vertex_index w, const Periodic_shift_2& shift) const
   {
     const Position_2 &p = m_positions[v], &q = m_positions[w];
     return {q.x - p.x + (times(shift[0], m_cell.ax()) + times(shift[1], m_cell.bx())),
@@ -84,7 +84,7 @@ public:
   // Of the face of v with the vectors to two images by the shifts s and t. With u = 2^-53, a
   // coordinate of a vector is computed from those of p, q and two products t with an error of less
   // than 4u (|p| + |q| + |t|), and each |q| is at most |p| + |t| + |v|, where v is the vector.
-  double error(Index v, const Position_2& to_s, const Periodic_shift_2& s, const Position_2& to_t,
+  double error(Vertex_index v, const Position_2& to_s, const Periodic_shift_2& s, const Position_2& to_t,
                const Periodic_shift_2& t) const
   {
     const auto sum = [](const Position_2& u) { return std::abs(u.x) + std::abs(u.y); };
@@ -131,14 +131,14 @@ public:
   bool is_representative(std::size_t id) const { return m_frame.id(m_frame.vertex(id)) == id; }
   Index number_of_cells() const { return m_frame.number_of_vertices() + 1; }
   Index cell(std::size_t id) const { return m_frame.vertex(id); }
-  bool is_cell(Index c) const { return !m_frame.is_infinite(c); }
-  std::size_t id_of_cell(Index c) const { return m_frame.id(c); }
+  bool is_cell(Index c) const { return !m_frame.is_infinite(Vertex_index(c)); }
+  std::size_t id_of_cell(Index c) const { return m_frame.id(Vertex_index(c)); }
 
   // As the point was given: in periodic space duplicates may be given by other images.
   Position_2 position(std::size_t id) const
   {
     if constexpr (Frame::is_periodic)
-      return approximation(m_frame.state().point_of_id(Index(id)));
+      return approximation(m_frame.state().point_of_id(Point_id(id)));
     else
       return m_frame.position(m_frame.vertex(id));
   }
@@ -183,7 +183,7 @@ public:
       Parts::for_each(m_frame.number_of_faces(), faces_of_part(),
                       [&](std::size_t part, std::size_t first, std::size_t beyond) {
                         for (std::size_t i = first; i < beyond; ++i)
-                          call_with_face(part, Index(i), f);
+                          call_with_face(part, Face_index(i), f);
                       });
   }
 
@@ -194,14 +194,14 @@ public:
     if constexpr (Frame::is_periodic) {
       if (!m_frame.state().torus().cell().is_slab())
         return;
-      for (Face_index i = 0; i < m_frame.number_of_faces(); ++i)
+      for (Face_index i(0); i < m_frame.number_of_faces(); ++i)
         if (is_open(i, m_frame.face(i)))
           for (const Vertex_index v : m_frame.face(i))
             f(v);
     } else if (m_frame.state().spans_plane())
       m_frame.for_each_neighbor(infinite_index, f);
     else
-      for (Vertex_index v = 1; v < number_of_cells(); ++v)
+      for (Vertex_index v(1); v < number_of_cells(); ++v)
         f(v);
   }
 
@@ -237,7 +237,7 @@ private:
   }
 
   // Whether face i, with the vertices v, is infinite or in the gap beside a slab.
-  bool is_open(Face_index i, const std::array<Index, 3>& v) const
+  bool is_open(Face_index i, const std::array<Vertex_index, 3>& v) const
   {
     if constexpr (Frame::is_periodic)
       return m_frame.state().is_in_gap(i);
@@ -248,7 +248,7 @@ private:
   template <class Function>
   BOOST_FORCEINLINE void call_with_face(std::size_t part, Face_index i, const Function& f) const
   {
-    const std::array<Index, 3> v = m_frame.state().arrays().face(i);
+    const std::array<Vertex_index, 3> v = m_frame.state().arrays().face(i);
     if (is_open(i, v))
       return;
     Periodic_shift_2 s{0, 0}, t{0, 0};

@@ -26,12 +26,14 @@ namespace Dynamic_Delaunay_triangulations_2 {
 namespace internal {
 
 // A vertex or a face, as a storage and a number. The object is part of a handle.
-template <class Storage>
+template <class Storage, class Number_>
 class Indexed_element_2
 {
 public:
+  using Number = Number_;
+
   Indexed_element_2() = default;
-  Indexed_element_2(Storage* storage, Index index)
+  Indexed_element_2(Storage* storage, Number index)
     : m_storage(storage)
     , m_index(index)
   {
@@ -39,7 +41,7 @@ public:
 
 protected:
   Storage* m_storage = nullptr;
-  Index m_index = null_index;
+  Number m_index = null_index;
 };
 
 // Declares `Info`, without which CGAL's triangulations do not accept points with infos.
@@ -67,23 +69,25 @@ public:
   using size_type = std::size_t;
   using iterator_category = std::bidirectional_iterator_tag;
 
+  using Number = typename Element::Number;
+
   // The number in a past-the-end iterator. It stays valid when the arrays grow.
-  static constexpr Index end_index = null_index - 2;
+  static constexpr Number end_index{null_index - 2};
 
   Indexed_handle_2(std::nullptr_t = nullptr) noexcept {}
-  Indexed_handle_2(Storage* storage, Index index) noexcept
+  Indexed_handle_2(Storage* storage, Number index) noexcept
     : m_element(storage, index)
   {
   }
 
   // The number of the element. The next change may give the element another number.
-  Index index() const { return m_element.m_index; }
+  Number index() const { return m_element.m_index; }
 
   Element& operator*() const { return m_element; }
   Element* operator->() const { return &m_element; }
 
   // The number from i on that an element has, or that of the end.
-  static Index next(const Storage& s, Index i)
+  static Number next(const Storage& s, Number i)
   {
     while (i < Element::size_with_holes(s) && Element::is_hole(s, i))
       ++i;
@@ -103,10 +107,10 @@ public:
   }
   Indexed_handle_2& operator--()
   {
-    Index& i = m_element.m_index;
-    i = i == end_index ? Element::size_with_holes(*m_element.m_storage) : i;
+    Number& i = m_element.m_index;
+    i = i == end_index ? Number(Element::size_with_holes(*m_element.m_storage)) : i;
     do
-      --i;
+      i = Number(i - 1);
     while (Element::is_hole(*m_element.m_storage, i));
     return *this;
   }
@@ -148,7 +152,7 @@ private:
 };
 
 template <class Storage_>
-class Indexed_vertex_2 : public Indexed_element_2<Storage_>,
+class Indexed_vertex_2 : public Indexed_element_2<Storage_, Vertex_index>,
                          public Info_type_2<typename Storage_::Vertex_info>
 {
 public:
@@ -157,7 +161,7 @@ public:
   using Vertex_handle = typename Storage::Vertex_handle;
   using Face_handle = typename Storage::Face_handle;
 
-  using Indexed_element_2<Storage_>::Indexed_element_2;
+  using Indexed_element_2<Storage_, Vertex_index>::Indexed_element_2;
 
   Face_handle face() const
   {
@@ -204,8 +208,8 @@ public:
 private:
   template <class Element>
   friend class Indexed_handle_2;
-  using Indexed_element_2<Storage_>::m_storage; // accessible to the handle, a friend
-  using Indexed_element_2<Storage_>::m_index;
+  using Indexed_element_2<Storage_, Vertex_index>::m_storage; // accessible to the handle, a friend
+  using Indexed_element_2<Storage_, Vertex_index>::m_index;
 
   // Private, because it would make a handle refer to another vertex.
   Indexed_vertex_2& operator=(const Indexed_vertex_2&) = default;
@@ -216,7 +220,7 @@ public:
 };
 
 template <class Storage_>
-class Indexed_face_2 : public Indexed_element_2<Storage_>,
+class Indexed_face_2 : public Indexed_element_2<Storage_, Face_index>,
                        public Info_type_2<typename Storage_::Face_info>,
                        public Triangulation_cw_ccw_2
 {
@@ -225,7 +229,7 @@ public:
   using Vertex_handle = typename Storage::Vertex_handle;
   using Face_handle = typename Storage::Face_handle;
 
-  using Indexed_element_2<Storage_>::Indexed_element_2;
+  using Indexed_element_2<Storage_, Face_index>::Indexed_element_2;
 
   Vertex_handle vertex(int i) const
   {
@@ -344,8 +348,8 @@ public:
 private:
   template <class Element>
   friend class Indexed_handle_2;
-  using Indexed_element_2<Storage_>::m_storage; // accessible to the handle, a friend
-  using Indexed_element_2<Storage_>::m_index;
+  using Indexed_element_2<Storage_, Face_index>::m_storage; // accessible to the handle, a friend
+  using Indexed_element_2<Storage_, Face_index>::m_index;
 
   // Private, because it would make a handle refer to another face.
   Indexed_face_2& operator=(const Indexed_face_2&) = default;
@@ -429,7 +433,7 @@ public:
 
   iterator begin() const
   {
-    return m_storage == nullptr ? end() : at(iterator::next(*m_storage, 0));
+    return m_storage == nullptr ? end() : at(iterator::next(*m_storage, typename Element::Number(0)));
   }
   iterator end() const { return at(iterator::end_index); }
   size_type size() const { return m_storage == nullptr ? 0 : Element::size(*m_storage); }
@@ -458,7 +462,7 @@ public:
   void swap(Indexed_container_2& other) { std::swap(m_storage, other.m_storage); }
 
 private:
-  iterator at(Index i) const { return iterator(m_storage, i); }
+  iterator at(typename Element::Number i) const { return iterator(m_storage, i); }
 
   Storage* m_storage = nullptr;
 };

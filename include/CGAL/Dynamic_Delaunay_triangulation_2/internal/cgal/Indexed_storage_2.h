@@ -101,14 +101,16 @@ public:
   bool empty() const { return m_arrays.n_properties() == 0; }
 
   // Returns what renumber() needs, and reserves memory for it.
-  Indexed_properties_2 prepare(const std::vector<Index>& before)
+  template <class Number>
+  Indexed_properties_2 prepare(const std::vector<Number>& before)
   {
     reserve(before.size());
     return *this;
   }
   // Renumbers the values: the element with number i had the number before[i], or is new if that is
   // `null_index`. Throws only what copying a value throws.
-  void renumber(const Indexed_properties_2& prepared, const std::vector<Index>& before)
+  template <class Number>
+  void renumber(const Indexed_properties_2& prepared, const std::vector<Number>& before)
   {
     m_arrays.resize(before.size());
     if (empty())
@@ -170,7 +172,8 @@ public:
     m_infos.pop_back();
   }
 
-  User_data_2 prepare(const std::vector<Index>& before)
+  template <class Number>
+  User_data_2 prepare(const std::vector<Number>& before)
   {
     User_data_2 prepared;
     static_cast<Properties&>(prepared) = Properties::prepare(before);
@@ -180,7 +183,8 @@ public:
         prepared.m_infos[i] = m_infos[before[i]];
     return prepared;
   }
-  void renumber(User_data_2& prepared, const std::vector<Index>& before)
+  template <class Number>
+  void renumber(User_data_2& prepared, const std::vector<Number>& before)
   {
     Properties::renumber(prepared, before);
     m_infos.swap(prepared.m_infos);
@@ -279,7 +283,7 @@ public:
 
   // Returns a new vertex without face. The point of an erased vertex whose number it takes stays
   // until set_point(): a program may remove a vertex, then insert a reference to its point.
-  Index create_vertex()
+  Vertex_index create_vertex()
   {
     note_written_by_handle();
     if (!m_free_vertices.empty()) {
@@ -296,11 +300,11 @@ public:
     m_points.emplace_back();
     m_vertex_data.append();
     m_arrays.m_corner.push_back(null_index);
-    return Index(m_arrays.m_corner.size()) - 1;
+    return Vertex_index(m_arrays.m_corner.size() - 1);
   }
 
   // Returns a new face without vertices and neighbors.
-  Index create_face()
+  Face_index create_face()
   {
     note_written_by_handle();
     Face_index f;
@@ -310,7 +314,7 @@ public:
       --m_erased_faces;
       m_face_data.reset(f);
     } else {
-      f = faces_with_holes();
+      f = Face_index(faces_with_holes());
       reserve_extra(m_arrays.m_halfedges, 3);
       m_face_data.reserve_extra(1);
       m_face_data.append();
@@ -326,7 +330,7 @@ public:
   void erase_vertex(Vertex_index v) noexcept
   {
     note_written_by_handle();
-    m_arrays.m_corner[v] = erased_index;
+    m_arrays.m_corner[v] = Halfedge_index(erased_index);
     ++m_erased_vertices;
     append_if_possible(m_free_vertices, v);
   }
@@ -334,7 +338,7 @@ public:
   void erase_face(Face_index f) noexcept
   {
     note_written_by_handle();
-    m_arrays.m_halfedges[Halfedge_arrays_2::halfedge_in(f, 0)].apex = erased_index;
+    m_arrays.m_halfedges[Halfedge_arrays_2::halfedge_in(f, 0)].apex = Vertex_index(erased_index);
     ++m_erased_faces;
     append_if_possible(m_free_faces, f);
   }
@@ -350,14 +354,14 @@ public:
   {
     note_written_by_handle();
     m_arrays.m_halfedges[h].twin =
-        g == null_index ? Halfedge_index(null_index) : Halfedge_arrays_2::halfedge_in(g, 0);
+        g == null_index ? null_index : Halfedge_arrays_2::halfedge_in(g, 0);
   }
 
   void set_face(Vertex_index v, Face_index f)
   {
     note_written_by_handle();
     m_arrays.m_corner[v] =
-        f == null_index ? Halfedge_index(null_index) : Halfedge_arrays_2::halfedge_in(f, 0);
+        f == null_index ? null_index : Halfedge_arrays_2::halfedge_in(f, 0);
   }
 
   void set_point(Vertex_index v, const Point& p)
@@ -405,22 +409,23 @@ public:
   {
     if (!has_holes())
       return;
-    const auto [vertices_before, new_vertex] = numbers_without_holes(
+    const auto [vertices_before, new_vertex] = numbers_without_holes<Vertex_index>(
         vertices_with_holes(), [this](Vertex_index v) { return is_erased_vertex(v); });
-    const auto [faces_before, new_face] = numbers_without_holes(
+    const auto [faces_before, new_face] = numbers_without_holes<Face_index>(
         faces_with_holes(), [this](Face_index f) { return is_erased_face(f); });
     auto face_data = m_face_data.prepare(faces_before);
     auto vertex_data = m_vertex_data.prepare(vertices_before);
     m_arrays.drop_edges(); // nothing throws from here on, unless copying a point or a value does
-    for (Vertex_index v = 0; v < Index(vertices_before.size()); ++v) {
+    for (Vertex_index v(0); v < Index(vertices_before.size()); ++v) {
       m_points[v] = std::move(m_points[vertices_before[v]]);
       m_arrays.m_corner[v] = with_face(m_arrays.corner(vertices_before[v]), new_face);
     }
-    for (Face_index f = 0; f < Index(faces_before.size()); ++f)
+    for (Face_index f(0); f < Index(faces_before.size()); ++f)
       for (Index i = 0; i < 3; ++i) {
         auto& to = m_arrays.m_halfedges[Halfedge_arrays_2::halfedge_in(f, i)];
         to = m_arrays.m_halfedges[Halfedge_arrays_2::halfedge_in(faces_before[f], i)];
-        to.apex = to.apex == null_index ? null_index : new_vertex[to.apex];
+        if (to.apex != null_index)
+          to.apex = new_vertex[to.apex];
         to.twin = with_face(to.twin, new_face);
       }
     m_points.resize(vertices_before.size());
@@ -497,7 +502,8 @@ private:
   static void store(Point& stored, const Point& p) { stored = p; }
   static void store(Position_2& stored, const Point& p) { stored = {p.x(), p.y()}; }
 
-  static void append_if_possible(std::vector<Index>& list, Index i) noexcept
+  template <class Number>
+  static void append_if_possible(std::vector<Number>& list, Number i) noexcept
   {
     try {
       list.push_back(i);
@@ -506,23 +512,23 @@ private:
   }
 
   // Returns the former number for each new one, and the new number (or none) for each former one.
-  template <class Predicate>
-  static std::pair<std::vector<Index>, std::vector<Index>>
+  template <class Number, class Predicate>
+  static std::pair<Column<Number, Number>, Column<Number, Number>>
   numbers_without_holes(Index size, const Predicate& is_hole)
   {
-    std::vector<Index> before, after(size, null_index);
-    for (Index i = 0; i < size; ++i)
+    Column<Number, Number> before, after(size, null_index);
+    for (Number i(0); i < size; ++i)
       if (!is_hole(i)) {
-        after[i] = Index(before.size());
+        after[i] = Number(before.size());
         before.push_back(i);
       }
     return {std::move(before), std::move(after)};
   }
 
   // Returns the number of half-edge h once its face has its new number.
-  static Halfedge_index with_face(Halfedge_index h, const std::vector<Index>& new_face)
+  static Halfedge_index with_face(Halfedge_index h, const Column<Face_index, Face_index>& new_face)
   {
-    return h == null_index ? Halfedge_index(null_index)
+    return h == null_index ? null_index
                            : Halfedge_arrays_2::halfedge_in(new_face[Halfedge_arrays_2::face_of(h)],
                                                             Halfedge_arrays_2::place_of(h));
   }
@@ -537,7 +543,8 @@ private:
   Points m_points;
   User_data_2<Vertex_handle, Vertex_info> m_vertex_data;
   User_data_2<Face_handle, Face_info> m_face_data;
-  std::vector<Index> m_free_vertices, m_free_faces; // holes to be filled, the last one first
+  std::vector<Vertex_index> m_free_vertices; // holes to be filled, the last one first
+  std::vector<Face_index> m_free_faces;      // likewise
   std::size_t m_erased_vertices = 0, m_erased_faces = 0;
   bool m_is_written_by_handles = false;
   const std::uint32_t m_serial = next_serial();

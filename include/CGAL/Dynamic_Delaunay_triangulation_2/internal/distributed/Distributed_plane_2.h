@@ -127,8 +127,8 @@ private:
     }
     const std::vector<std::uint8_t> are_owned = points.owned_vertices();
     const auto& arrays = frame.state().arrays();
-    std::vector<Index> hull; // clockwise
-    arrays.for_each_neighbor(0, [&](Index v) { hull.push_back(v); });
+    std::vector<Vertex_index> hull; // clockwise
+    arrays.for_each_neighbor(infinite_index, [&](Vertex_index v) { hull.push_back(v); });
     const auto orientation = Kernel().orientation_2_object();
     const auto at = [&](std::size_t k) {
       const Position_2 p = frame.position(hull[k % hull.size()]);

@@ -127,10 +127,10 @@ private:
   {
     const auto frame = m_points.dt().frame();
     const Index faces = frame.number_of_faces();
-    for (Index g = 0; g < faces; ++g) {
-      std::array<Index, 3> face = frame.face(g);
+    for (Face_index g(0); g < faces; ++g) {
+      std::array<Vertex_index, 3> face = frame.face(g);
       const auto owned =
-          std::find_if(face.begin(), face.end(), [&](Index v) { return are_corners[v] != 0; });
+          std::find_if(face.begin(), face.end(), [&](Vertex_index v) { return are_corners[v] != 0; });
       if (owned == face.end())
         continue;
       const Position_2 focus = frame.position(*owned);

@@ -69,13 +69,13 @@ private:
     const auto& ids = m_state.ids();
     file.line("ids", ids.number_of_ids());
     file.line("vertices", ids.number_of_representatives());
-    for (Vertex_index v = 1; v <= ids.number_of_representatives(); ++v)
+    for (Vertex_index v(1); v <= ids.number_of_representatives(); ++v)
       file.line(ids.representative(v), Space::coordinates(m_state, v));
     file.line("duplicates", ids.duplicates().size());
     for (const auto& duplicate : ids.duplicates())
       file.line(duplicate.id, ids.vertex(duplicate.id), Space::coordinates(duplicate.point));
     file.line("free_ids", ids.number_of_ids() - ids.number_of_points());
-    for (Point_id id = 0; id < ids.number_of_ids(); ++id)
+    for (Point_id id(0); id < ids.number_of_ids(); ++id)
       if (!ids.is_taken(id))
         file.line(id);
   }
@@ -85,13 +85,13 @@ private:
     const auto& arrays = m_state.arrays();
     const Index beyond = m_state.number_of_vertices() + 1;
     file.line("faces", arrays.number_of_faces());
-    for (Face_index f = 0; f < arrays.number_of_faces(); ++f)
+    for (Face_index f(0); f < arrays.number_of_faces(); ++f)
       file.line(arrays.face(f), Space::rest_of_face(m_state, f));
     file.line("corners", beyond - Space::first_vertex);
     for (Vertex_index v = Space::first_vertex; v < beyond; ++v)
       file.line(arrays.corner(v), Space::rest_of_corner(arrays.corner(v)));
     file.line("edges", arrays.number_of_edges());
-    for (Edge_index e = 0; e < arrays.number_of_edges(); ++e)
+    for (Edge_index e(0); e < arrays.number_of_edges(); ++e)
       file.line(Space::halfedges(arrays, e));
   }
 
@@ -149,7 +149,7 @@ private:
     check_ids();
     m_kept.ids.reset(m_number_of_ids);
     auto id = m_ids.begin();
-    for (Vertex_index v = 0; v < number_of_vertices(); ++v)
+    for (Index i = 0; i < number_of_vertices(); ++i)
       m_kept.ids.add_representative(*id++);
     for (const auto& [vertex, point] : m_duplicates)
       m_kept.ids.add_duplicate(*id++, m_ids[vertex - 1], point);
@@ -162,7 +162,7 @@ private:
   {
     const Index number =
         m_file.number_entry("vertices", m_space.fewest_vertices(), m_space.most_vertices());
-    for (Vertex_index v = 1; v <= number; ++v) {
+    for (Vertex_index v(1); v <= number; ++v) {
       read_id();
       m_space.read_vertex();
       m_file.end_line();
@@ -175,7 +175,7 @@ private:
     m_file.next_line();
     if (m_number_of_ids == 0)
       m_file.refuse("a point is here, and there are no ids");
-    m_ids.push_back(m_file.number("the id", Index(0), m_number_of_ids - 1));
+    m_ids.emplace_back(m_file.number("the id", Index(0), m_number_of_ids - 1));
   }
 
   void read_duplicates()
@@ -185,7 +185,7 @@ private:
       m_file.refuse("there are duplicates, and no vertices");
     for (Index i = 0; i < number; ++i) {
       read_id();
-      const Vertex_index vertex = m_file.number("the vertex", Index(1), number_of_vertices());
+      const Vertex_index vertex(m_file.number("the vertex", Index(1), number_of_vertices()));
       const Point p = m_space.read_point();
       m_file.end_line();
       if (!m_space.coincide(p, m_kept.points[vertex - 1]))
@@ -247,13 +247,13 @@ private:
   void read_faces()
   {
     const Index number = read_number("faces", number_of_faces());
-    for (Face_index f = 0; f < number; ++f) {
+    for (Face_index f(0); f < number; ++f) {
       m_file.next_line();
       m_kept.faces.resize(f + std::size_t(1));
       for (Index i = 0; i < 3; ++i)
         m_kept.faces.set_apex(
             Flat_faces_2::first_halfedge(f) + i,
-            m_file.number("the vertex", Space::first_vertex, number_of_vertices()));
+            Vertex_index(m_file.number("the vertex", Index(Space::first_vertex), number_of_vertices())));
       m_space.read_rest_of_face(f);
     }
   }
@@ -288,7 +288,7 @@ private:
   {
     const Index number = read_number("edges", number_of_halfedges() / 2);
     std::vector<bool> is_listed(number_of_halfedges());
-    for (Edge_index e = 0; e < number; ++e) {
+    for (Edge_index e(0); e < number; ++e) {
       m_file.next_line();
       const Halfedge_index h = read_halfedge(), g = read_halfedge();
       m_file.end_line();
@@ -299,9 +299,9 @@ private:
     }
   }
 
-  Index read_halfedge()
+  Halfedge_index read_halfedge()
   {
-    return m_file.number("the half-edge", Index(0), number_of_halfedges() - 1);
+    return Halfedge_index(m_file.number("the half-edge", Index(0), number_of_halfedges() - 1));
   }
 
   Checkpoint_input_2& m_file;
@@ -310,8 +310,8 @@ private:
   Repair_experience_2 m_memory;
   bool m_is_certified = false;
   Index m_number_of_ids = 0;
-  std::vector<Index> m_ids; // of the representatives, then of the duplicates, then the free ones
-  std::vector<std::pair<Index, Point>> m_duplicates; // their vertices, and their points
+  std::vector<Point_id> m_ids; // of the representatives, then of the duplicates, then the free ones
+  std::vector<std::pair<Vertex_index, Point>> m_duplicates; // their vertices, and their points
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

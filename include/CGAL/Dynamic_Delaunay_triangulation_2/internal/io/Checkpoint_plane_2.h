@@ -131,7 +131,7 @@ class Checkpoint_plane_2
 public:
   using Point = typename State::Point;
 
-  static constexpr Index first_vertex = infinite_index;
+  static constexpr Vertex_index first_vertex = infinite_index;
   static constexpr const char* wrong_corner = "these are no corner and no face of vertex ";
 
 private:
@@ -179,10 +179,10 @@ public:
   }
 
   static bool has_faces(const State& state) { return state.spans_plane(); }
-  static std::tuple<> rest_of_face(const State&, Index) { return {}; }
-  static Index rest_of_corner(Halfedge_index h) { return Halfedge_arrays_2::face_of(h); }
+  static std::tuple<> rest_of_face(const State&, Face_index) { return {}; }
+  static Face_index rest_of_corner(Halfedge_index h) { return Halfedge_arrays_2::face_of(h); }
 
-  static std::array<Index, 2> halfedges(const Halfedge_arrays_2& arrays, Edge_index e)
+  static std::array<Halfedge_index, 2> halfedges(const Halfedge_arrays_2& arrays, Edge_index e)
   {
     const Halfedge_index h = arrays.halfedge(e);
     return {arrays.source(h) == arrays.edge(e).source ? h : arrays.twin(h), h};
@@ -231,19 +231,19 @@ public:
   static bool coincide(const Point& p, const Point& q) { return p == q; }
 
   bool has_faces() const { return m_dimension == 2; }
-  void read_rest_of_face(Index) const { m_file.end_line(); }
+  void read_rest_of_face(Face_index) const { m_file.end_line(); }
 
   // Reads a face. True if v is one of its vertices.
   bool read_rest_of_corner(Vertex_index v)
   {
-    const Face_index f = m_file.number("the face", Index(0), m_kept.faces.number_of_faces() - 1);
-    const Halfedge_index h = Flat_faces_2::first_halfedge(f);
+    const Face_index f(m_file.number("the face", Index(0), m_kept.faces.number_of_faces() - 1));
+    const Flat_halfedge_index h = Flat_faces_2::first_halfedge(f);
     return m_kept.faces.apex(h) == v || m_kept.faces.apex(h + 1) == v ||
            m_kept.faces.apex(h + 2) == v;
   }
 
   // Returns the twin of `forward`. `halfedge` must be `forward` or the twin.
-  Index checked_twin(Index forward, Halfedge_index halfedge,
+  Halfedge_index checked_twin(Halfedge_index forward, Halfedge_index halfedge,
                      const std::vector<bool>& is_listed) const
   {
     const Halfedge_index twin =

@@ -39,7 +39,7 @@ class Checkpoint_torus_2
 public:
   using Point = typename State::Point;
 
-  static constexpr Index first_vertex = infinite_index + 1;
+  static constexpr Vertex_index first_vertex = infinite_index + 1;
   static constexpr const char* wrong_corner = "this is no corner of vertex ";
 
   // WRITING -------------------------------------------------------------------------------------
@@ -74,9 +74,9 @@ public:
   {
     return {state.shift(Arrays::halfedge_in(f, 1)), state.shift(Arrays::halfedge_in(f, 2))};
   }
-  static std::tuple<> rest_of_corner(Index) { return {}; }
+  static std::tuple<> rest_of_corner(Halfedge_index) { return {}; }
 
-  static std::array<Index, 2> halfedges(const Arrays& arrays, Edge_index e)
+  static std::array<Halfedge_index, 2> halfedges(const Arrays& arrays, Edge_index e)
   {
     return {arrays.halfedge(e), arrays.twin(arrays.halfedge(e))};
   }
@@ -121,11 +121,11 @@ public:
         m_file.refuse("the face has a corner twice");
   }
 
-  static bool read_rest_of_corner(Index) { return true; }
+  static bool read_rest_of_corner(Vertex_index) { return true; }
 
   // Links two half-edges, which have to run along each other in opposite directions, also by their
   // shifts. Returns the second one.
-  Index checked_twin(Halfedge_index h, Halfedge_index g, const std::vector<bool>& is_listed)
+  Halfedge_index checked_twin(Halfedge_index h, Halfedge_index g, const std::vector<bool>& is_listed)
   {
     if (h == g || is_listed[h] || is_listed[g])
       m_file.refuse("a half-edge is there more than once");
@@ -179,13 +179,19 @@ private:
   {
     return m_shifts[Arrays::previous(h)] - m_shifts[Arrays::next(h)];
   }
-  Index source(Halfedge_index h) const { return m_kept.faces.source(Flat_faces_2::from_arrays(h)); }
-  Index target(Halfedge_index h) const { return m_kept.faces.target(Flat_faces_2::from_arrays(h)); }
+  Vertex_index source(Halfedge_index h) const
+  {
+    return m_kept.faces.source(Flat_faces_2::from_arrays(h));
+  }
+  Vertex_index target(Halfedge_index h) const
+  {
+    return m_kept.faces.target(Flat_faces_2::from_arrays(h));
+  }
 
   Checkpoint_input_2& m_file;
   Checkpoint_arrays_2<Point>& m_kept;
   Torus_2 m_torus;
-  std::vector<Periodic_shift_2> m_shifts; // of the apex of each half-edge
+  typename State::Shifts m_shifts; // of the apex of each half-edge
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -27,11 +27,11 @@ public:
   struct Flaw
   {
     const char* what = nullptr;
-    Face_index face = 0;
+    Face_index face{0};
   };
 
   // The vertices are those from `first` to before `beyond`.
-  Surface_check_2(Flat_faces_2& faces, Index beyond, Index first = 0)
+  Surface_check_2(Flat_faces_2& faces, Index beyond, Vertex_index first = Vertex_index(0))
     : m_faces(faces)
     , m_first_vertex(first)
     , m_beyond(beyond)
@@ -55,15 +55,15 @@ public:
   }
 
 private:
-  static Flaw flaw_at(Halfedge_index halfedge, const char* what)
+  static Flaw flaw_at(Flat_halfedge_index halfedge, const char* what)
   {
-    return {what, Flat_faces_2::number_in_arrays(halfedge) / 3};
+    return {what, Flat_faces_2::face_of(halfedge)};
   }
 
   template <class Function>
   void for_each_halfedge(const Function& f) const
   {
-    for (Face_index face = 0; face < m_faces.number_of_faces(); ++face)
+    for (Face_index face(0); face < m_faces.number_of_faces(); ++face)
       for (Index i = 0; i < 3; ++i)
         f(Flat_faces_2::first_halfedge(face) + i);
   }
@@ -72,11 +72,11 @@ private:
   void sort_halfedges()
   {
     m_first.assign(m_beyond + std::size_t(1), 0);
-    for_each_halfedge([this](Halfedge_index h) { ++m_first[m_faces.source(h)]; });
-    for (Vertex_index v = 0; v < m_beyond; ++v)
+    for_each_halfedge([this](Flat_halfedge_index h) { ++m_first[m_faces.source(h)]; });
+    for (Vertex_index v(0); v < m_beyond; ++v)
       m_first[v + 1] += m_first[v];
-    m_sorted.resize(m_first[m_beyond]);
-    for_each_halfedge([this](Halfedge_index h) { m_sorted[--m_first[m_faces.source(h)]] = h; });
+    m_sorted.resize(m_first.back());
+    for_each_halfedge([this](Flat_halfedge_index h) { m_sorted[--m_first[m_faces.source(h)]] = h; });
   }
 
   template <class Function>
@@ -89,25 +89,25 @@ private:
   Flaw link()
   {
     Flaw flaw;
-    std::vector<Index> halfedge_to(m_beyond, null_index); // from v to each vertex
-    for (Vertex_index v = 0; v < m_beyond; ++v) {
-      for_each_halfedge_from(v, [&](Halfedge_index h) {
-        Index& there = halfedge_to[m_faces.target(h)];
+    Column<Vertex_index, Flat_halfedge_index> halfedge_to(m_beyond, null_index); // from v to each vertex
+    for (Vertex_index v(0); v < m_beyond; ++v) {
+      for_each_halfedge_from(v, [&](Flat_halfedge_index h) {
+        Flat_halfedge_index& there = halfedge_to[m_faces.target(h)];
         if (m_faces.target(h) == v)
           flaw = flaw_at(h, "the face has a vertex twice");
         else if (there != null_index)
           flaw = flaw_at(h, "an edge of the face is there twice");
         there = h;
       });
-      for_each_halfedge_from(v, [&](Halfedge_index h) {
-        const Index arriving = Flat_faces_2::previous(h);
-        const Index back = halfedge_to[m_faces.source(arriving)];
+      for_each_halfedge_from(v, [&](Flat_halfedge_index h) {
+        const Flat_halfedge_index arriving = Flat_faces_2::previous(h);
+        const Flat_halfedge_index back = halfedge_to[m_faces.source(arriving)];
         if (back == null_index)
           flaw = flaw_at(h, "an edge of the face has no other face");
         m_faces.set_twin(arriving, back);
       });
       for_each_halfedge_from(
-          v, [&](Halfedge_index h) { halfedge_to[m_faces.target(h)] = null_index; });
+          v, [&](Flat_halfedge_index h) { halfedge_to[m_faces.target(h)] = null_index; });
       if (flaw.what)
         return flaw;
     }
@@ -125,9 +125,10 @@ private:
     for (Vertex_index v = m_first_vertex; v < m_beyond; ++v) {
       const Index degree = m_first[v + 1] - m_first[v];
       if (degree == 0)
-        return {"a vertex is in no face", m_faces.number_of_faces() - 1};
-      const Index start = m_sorted[m_first[v]];
-      Index around = 0, h = start;
+        return {"a vertex is in no face", Face_index(m_faces.number_of_faces() - 1)};
+      const Flat_halfedge_index start = m_sorted[m_first[v]];
+      Flat_halfedge_index h = start;
+      Index around = 0;
       do {
         h = m_faces.twin(Flat_faces_2::previous(h));
         ++around;
@@ -141,28 +142,29 @@ private:
   Flaw check_connection() const
   {
     std::vector<bool> is_reached(m_faces.number_of_faces());
-    std::vector<Index> waiting(1, 0);
+    std::vector<Face_index> waiting(1, Face_index(0));
     is_reached[0] = true;
     while (!waiting.empty()) {
-      const Halfedge_index h = Flat_faces_2::first_halfedge(waiting.back());
+      const Flat_halfedge_index h = Flat_faces_2::first_halfedge(waiting.back());
       waiting.pop_back();
       for (Index i = 0; i < 3; ++i) {
-        const Face_index f = Flat_faces_2::number_in_arrays(m_faces.twin(h + i)) / 3;
+        const Face_index f = Flat_faces_2::face_of(m_faces.twin(h + i));
         if (!is_reached[f])
           waiting.push_back(f);
         is_reached[f] = true;
       }
     }
-    for (Face_index f = 0; f < m_faces.number_of_faces(); ++f)
+    for (Face_index f(0); f < m_faces.number_of_faces(); ++f)
       if (!is_reached[f])
         return {"the face hangs together with the first one by no edges", f};
     return {};
   }
 
   Flat_faces_2& m_faces;
-  Index m_first_vertex, m_beyond;
-  std::vector<Index> m_first;  // index in m_sorted of the first half-edge from each vertex
-  std::vector<Index> m_sorted; // the half-edges by their sources
+  Vertex_index m_first_vertex;
+  Index m_beyond;
+  Column<Vertex_index, Index> m_first; // index in m_sorted of the first half-edge from each vertex
+  std::vector<Flat_halfedge_index> m_sorted; // the half-edges by their sources
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -34,7 +34,7 @@ public:
   void set_engine(Static_engine_2 engine) { m_cluster.set_engine(engine); }
 
   // Splices around `classified` with `padding` layers. Vertices that are in no face are skipped.
-  Splice_result_2 run(Topology_editor_2<State>& editor, const std::vector<Index>& classified,
+  Splice_result_2 run(Topology_editor_2<State>& editor, const std::vector<Vertex_index>& classified,
                       unsigned padding, Splice_limits_2& limits)
   {
     const std::size_t bound = m_state.arrays().number_of_vertices();
@@ -58,12 +58,12 @@ public:
   std::size_t number_of_padded() const { return m_inner.size() - m_number_of_classified; }
   std::size_t number_of_border() const { return m_border.size(); }
   std::size_t number_of_vertices() const { return m_inner.size() + m_border.size(); }
-  const Index_set& border() const { return m_border; }
-  Index padded(std::size_t i) const { return m_inner[m_number_of_classified + i]; }
+  const Index_set<Vertex_index>& border() const { return m_border; }
+  Vertex_index padded(std::size_t i) const { return m_inner[m_number_of_classified + i]; }
   // The vertices that were triangulated last. If a coincidence was found, two of them coincide.
-  const std::vector<Index>& region() const { return m_cluster.region(); }
+  const std::vector<Vertex_index>& region() const { return m_cluster.region(); }
   // The boundary edges of the new faces. All other edges of these faces are Delaunay.
-  const std::vector<Index>& boundary_edges() const { return m_boundary_edges; }
+  const std::vector<Edge_index>& boundary_edges() const { return m_boundary_edges; }
 
 private:
   // Makes new faces for the cluster of the i-th inner vertex: all inner vertices that are connected
@@ -99,12 +99,12 @@ private:
 
   const State& m_state;
   Cluster_splice_2<State> m_cluster; // the cluster that is being spliced
-  Index_set m_inner;                 // Classified, then Padded
-  Index_set m_spliced;               // a subset of m_inner
-  Index_set m_border;
-  std::vector<Index> m_boundary_edges;
+  Index_set<Vertex_index> m_inner;                 // Classified, then Padded
+  Index_set<Vertex_index> m_spliced;               // a subset of m_inner
+  Index_set<Vertex_index> m_border;
+  std::vector<Edge_index> m_boundary_edges;
   std::size_t m_number_of_classified = 0;
-  std::vector<Index> m_outside; // half-edges beyond the boundary of a cluster
+  std::vector<Halfedge_index> m_outside; // half-edges beyond the boundary of a cluster
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -32,7 +32,7 @@ struct Splice_limits_2
 
 // Adds the finite neighbors of the vertices of a region, from the `first` vertex on.
 template <class State>
-void add_layer(const State& state, Index_set& region, std::size_t first = 0)
+void add_layer(const State& state, Index_set<Vertex_index>& region, std::size_t first = 0)
 {
   for (const std::size_t beyond = region.size(); first < beyond; ++first)
     state.arrays().for_each_neighbor(region[first], [&](Vertex_index w) {
@@ -44,8 +44,8 @@ void add_layer(const State& state, Index_set& region, std::size_t first = 0)
 // Replaces a region by those of these vertices that are in faces, and some layers around them.
 // Returns how many of these vertices there are; they come first.
 template <class State>
-std::size_t collect_region(const State& state, const std::vector<Index>& vertices, unsigned layers,
-                           Index_set& region)
+std::size_t collect_region(const State& state, const std::vector<Vertex_index>& vertices, unsigned layers,
+                           Index_set<Vertex_index>& region)
 {
   region.clear(state.arrays().number_of_vertices());
   for (const Vertex_index v : vertices)
@@ -120,15 +120,15 @@ public:
 
   // Whether the new faces can replace the old ones.
   bool fits() const { return m_fits; }
-  const Index_set& cluster() const { return m_cluster; }
+  const Index_set<Vertex_index>& cluster() const { return m_cluster; }
   // How many vertices the cluster had before it was enlarged; these come first in `cluster()`.
   std::size_t first_size() const { return m_first_size; }
-  const Index_set& border() const { return m_border; }
-  const Index_set& old_faces() const { return m_old_faces; }
+  const Index_set<Vertex_index>& border() const { return m_border; }
+  const Index_set<Face_index>& old_faces() const { return m_old_faces; }
   const std::vector<Boundary_edge_2>& old_boundary() const { return m_old_boundary; } // sorted
   const Patch_2& new_faces() const { return m_new; }
   // The vertices that were triangulated last. If a coincidence was found, two of them coincide.
-  const std::vector<Index>& region() const { return m_region; }
+  const std::vector<Vertex_index>& region() const { return m_region; }
 
 private:
   // Adds the vertices where the two boundaries differ, or the whole border if none of these is new.
@@ -195,22 +195,22 @@ private:
     const Flat_faces_2& faces = m_triangulator.faces();
     m_new.clear();
     m_new_number.assign(faces.number_of_faces(), null_index);
-    Index number = 0;
-    for (Face_index f = 0; f < faces.number_of_faces(); ++f) {
-      const Halfedge_index h = Flat_faces_2::first_halfedge(f);
+    Face_index number(0);
+    for (Face_index f(0); f < faces.number_of_faces(); ++f) {
+      const Flat_halfedge_index h = Flat_faces_2::first_halfedge(f);
       if (m_cluster.contains(faces.apex(h)) || m_cluster.contains(faces.apex(h + 1)) ||
           m_cluster.contains(faces.apex(h + 2)))
         m_new_number[f] = number++;
     }
-    for (Face_index f = 0; f < faces.number_of_faces(); ++f)
+    for (Face_index f(0); f < faces.number_of_faces(); ++f)
       if (m_new_number[f] != null_index)
         for (Index i = 0; i < 3; ++i) {
-          const Halfedge_index h = Flat_faces_2::first_halfedge(f) + i;
+          const Flat_halfedge_index h = Flat_faces_2::first_halfedge(f) + i;
           const Halfedge_index g = Flat_faces_2::number_in_arrays(faces.twin(h));
-          const Index neighbor = m_new_number[Arrays::face_of(g)];
+          const Face_index neighbor = m_new_number[Arrays::face_of(g)];
           m_new.apexes.push_back(faces.apex(h));
           m_new.twins.push_back(neighbor == null_index
-                                    ? Halfedge_index(null_index)
+                                    ? null_index
                                     : Arrays::halfedge_in(neighbor, Arrays::place_of(g)));
         }
     m_new.find_boundary();
@@ -257,7 +257,7 @@ private:
   // overlap. Adds such vertices to the disagreeing ones.
   bool doubles_an_edge()
   {
-    for (Halfedge_index h = 0; h < Index(m_new.twins.size()); ++h) {
+    for (Halfedge_index h(0); h < Index(m_new.twins.size()); ++h) {
       const Vertex_index v = m_new.apexes[Arrays::next(h)], w = m_new.apexes[Arrays::previous(h)];
       if (m_new.twins[h] != null_index && v < w && !m_cluster.contains(v) &&
           !m_cluster.contains(w) && is_edge_outside(w, v)) {
@@ -274,7 +274,7 @@ private:
     const Arrays& arrays = m_state.arrays();
     bool is_outside = false;
     arrays.for_each_corner(v, [&](Halfedge_index h) {
-      const Index beyond = arrays.twin(Arrays::previous(h));
+      const Halfedge_index beyond = arrays.twin(Arrays::previous(h));
       is_outside = is_outside || (arrays.apex(Arrays::next(h)) == w &&
                                   !(m_old_faces.contains(Arrays::face_of(h)) &&
                                     m_old_faces.contains(Arrays::face_of(beyond))));
@@ -285,14 +285,16 @@ private:
   const State& m_state;
   Vertex_order_2<State> m_order;
   Static_triangulator_2<State> m_triangulator;
-  Index_set m_cluster, m_border, m_old_faces;
+  Index_set<Vertex_index> m_cluster, m_border;
+  Index_set<Face_index> m_old_faces;
   std::size_t m_first_size = 0;
   bool m_fits = false;
   bool m_has_infinite_faces = false;           // among the old faces
   std::vector<Boundary_edge_2> m_old_boundary; // sorted by source, then target
-  std::vector<Index> m_region, m_new_number;
+  std::vector<Vertex_index> m_region;
+  Column<Face_index, Face_index> m_new_number; // of each face of the triangulator
   Patch_2 m_new;
-  std::vector<Index> m_disagreeing;
+  std::vector<Vertex_index> m_disagreeing;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -56,7 +56,7 @@ public:
 
   // Makes all finite faces counterclockwise; only faces at these edges may be inverted. Holds about
   // `most` vertices at most. False if that was not enough.
-  bool hold(const std::vector<Index>& edges, std::size_t most, At_hull at_hull)
+  bool hold(const std::vector<Edge_index>& edges, std::size_t most, At_hull at_hull)
   {
     reserve_bonds();
     m_peeled.clear();
@@ -92,7 +92,7 @@ public:
   }
 
   // Lists the edges whose test hold() may have changed.
-  void append_changed_edges(std::vector<Index>& edges) const
+  void append_changed_edges(std::vector<Edge_index>& edges) const
   {
     for (std::size_t i = 0; i < m_held.size(); ++i) {
       prefetch_stars(i);
@@ -132,7 +132,7 @@ public:
   // Calls take_out(v) for each vertex v that is still held, and lists those for which it returns
   // false. Then puts all of them at their targets, whatever that does to faces.
   template <class Take_out>
-  void take_out_rest(const Take_out& take_out, std::vector<Index>& left)
+  void take_out_rest(const Take_out& take_out, std::vector<Vertex_index>& left)
   {
     left.clear();
     for (const Held& held : m_held)
@@ -175,7 +175,7 @@ private:
   // MEMORY --------------------------------------------------------------------------------------
 
   // Fetches the corners of the faces at an edge that is due soon.
-  void prefetch_ahead(const std::vector<Index>& edges, std::size_t i) const
+  void prefetch_ahead(const std::vector<Edge_index>& edges, std::size_t i) const
   {
     constexpr std::size_t near_ahead = 8, ahead = 16, far_ahead = 24;
     const auto& arrays = m_state.arrays();
@@ -235,7 +235,7 @@ private:
   bool is_star_right(Vertex_index v) const
   {
     const auto& arrays = m_state.arrays();
-    const Index first = arrays.corner(v);
+    const Halfedge_index first = arrays.corner(v);
     Halfedge_index h = first;
     do {
       if (!is_right(Arrays::face_of(h)))
@@ -245,7 +245,7 @@ private:
     return true;
   }
 
-  void append_edges_that_see(Vertex_index v, std::vector<Index>& edges) const
+  void append_edges_that_see(Vertex_index v, std::vector<Edge_index>& edges) const
   {
     const auto& arrays = m_state.arrays();
     arrays.for_each_corner(v, [&](Halfedge_index h) {
@@ -274,7 +274,7 @@ private:
   }
 
   // Flips, and lists the edges whose test that may have changed.
-  void flip_and_note(Halfedge_index h, std::vector<Index>& edges)
+  void flip_and_note(Halfedge_index h, std::vector<Edge_index>& edges)
   {
     const Edge_index e = m_state.arrays().edge_of(h);
     m_editor.flip(h);
@@ -334,7 +334,7 @@ private:
   // one that is carried, if there is any.
   Vertex_index vertex_to_hold(Face_index f) const
   {
-    const std::array<Index, 3> vertices = m_state.face(f);
+    const std::array<Vertex_index, 3> vertices = m_state.face(f);
     std::array<Position_2, 3> ways{};
     Position_2 sum{0, 0};
     double number = 0;
@@ -344,7 +344,7 @@ private:
         sum = {sum.x + ways[i].x, sum.y + ways[i].y};
         ++number;
       }
-    Index farthest = null_index, carried = null_index;
+    Vertex_index farthest = null_index, carried = null_index;
     double longest = -1;
     for (std::size_t i = 0; i < 3; ++i) {
       if (vertices[i] == infinite_index)
@@ -449,7 +449,7 @@ private:
     double share = move_in_star(held);
     if constexpr (!State::has_hull)
       while (share == 0) {
-        const Index h = edge_into_gap(held.vertex);
+        const Halfedge_index h = edge_into_gap(held.vertex);
         if (h == null_index)
           break;
         flip_and_note(h, m_changed);
@@ -464,10 +464,10 @@ private:
   // faces meet images of themselves, cannot be taken out. But its edges along the side can be
   // flipped into the gap. Returns such an edge, as a half-edge, or `null_index`. Each flip takes an
   // edge from the vertex, so there are only a few.
-  Index edge_into_gap(Vertex_index v) const
+  Halfedge_index edge_into_gap(Vertex_index v) const
   {
     const auto& arrays = m_state.arrays();
-    Index found = null_index;
+    Halfedge_index found = null_index;
     arrays.for_each_corner(v, [&](Halfedge_index h) {
       for (const Halfedge_index along : {Arrays::next(h), Arrays::previous(h)})
         if (found == null_index && m_state.is_hull_edge(along) && can_flip_into_gap(along))
@@ -502,9 +502,9 @@ private:
   bool m_is_hull_held = false;
   std::vector<Held> m_held;
   std::vector<Bond> m_bonds;     // indexed by vertices; FREE between updates
-  std::vector<Index> m_inverted; // faces that may be inverted
-  std::vector<Index> m_peeled;   // hull edges that were flipped, and edges around them
-  std::vector<Index> m_changed;  // edges around the vertex that has moved last
+  std::vector<Face_index> m_inverted; // faces that may be inverted
+  std::vector<Edge_index> m_peeled;   // hull edges that were flipped, and edges around them
+  std::vector<Edge_index> m_changed;  // edges around the vertex that has moved last
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

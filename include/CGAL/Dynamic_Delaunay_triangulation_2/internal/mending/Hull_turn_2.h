@@ -50,7 +50,7 @@ public:
   // Whether the condition holds for the edge of an infinite face.
   bool is_as_at_rest(Face_index f) const
   {
-    const std::array<Index, 3> face = m_state.face(f);
+    const std::array<Vertex_index, 3> face = m_state.face(f);
     const auto i = std::size_t(std::find(face.begin(), face.end(), infinite_index) - face.begin());
     const Vertex_index v = face[(i + 1) % 3], w = face[(i + 2) % 3];
     const Position_2 a = m_state.positions()[v] - m_middle, b = m_state.positions()[w] - m_middle;

@@ -31,7 +31,7 @@ public:
   // edges: no edge crosses the inside of a flip's quadrilateral. The search takes a sixth of the
   // time of a flip; on a torus of 100,000 points that go 0.01 spacings, a quarter of an update.
   template <class State, class Editor>
-  std::size_t run(const State& state, Editor& editor, std::vector<Index>& open,
+  std::size_t run(const State& state, Editor& editor, std::vector<Edge_index>& open,
                   bool faces_tile_hull, std::size_t most)
   {
     // Lawson's proof of termination needs counterclockwise faces; with inverted ones, flips can
@@ -50,7 +50,7 @@ public:
   // Flips from a few edges whose data are in the cache, where the faces tile the convex hull or the
   // torus. Leaves in `open` the edges that it could not prove.
   template <class State, class Editor>
-  std::size_t run_nearby(const State& state, Editor& editor, std::vector<Index>& open,
+  std::size_t run_nearby(const State& state, Editor& editor, std::vector<Edge_index>& open,
                          std::size_t most)
   {
     const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
@@ -64,7 +64,7 @@ public:
     };
     flip_touched(state, limit, flip, m_work);
     open.clear();
-    for (std::vector<Index>* edges : {&m_work.touched, &m_work.open, &m_work.not_flippable}) {
+    for (std::vector<Edge_index>* edges : {&m_work.touched, &m_work.open, &m_work.not_flippable}) {
       open.insert(open.end(), edges->begin(), edges->end());
       edges->clear();
     }
@@ -74,7 +74,7 @@ public:
   // Flips around v, which was put into a face. Leaves in `open` the edges that it could not prove.
   template <class State, class Editor>
   std::size_t run_around(const State& state, Editor& editor, Vertex_index v,
-                         std::vector<Index>& open, std::size_t most)
+                         std::vector<Edge_index>& open, std::size_t most)
   {
     open.clear();
     state.arrays().for_each_corner(v, [&](Halfedge_index h) {
@@ -90,12 +90,12 @@ private:
   // flip elsewhere makes them flippable, and a flip beside them examines them again.
   struct Work
   {
-    std::vector<Index> seeds, touched, sides, open, not_flippable;
+    std::vector<Edge_index> seeds, touched, sides, open, not_flippable;
     std::size_t flips = 0;
   };
 
   template <class State, class Editor>
-  std::size_t run_in_series(const State& state, Editor& editor, std::vector<Index>& open,
+  std::size_t run_in_series(const State& state, Editor& editor, std::vector<Edge_index>& open,
                             bool faces_tile_hull, std::size_t limit)
   {
     std::size_t flips = 0;
@@ -119,7 +119,7 @@ private:
   // If seeds are many, flips edges that are inside of a part; threads share the parts. Leaves all
   // other edges in `open`. The parts, and so the result, depend on the triangulation alone.
   template <class State, class Editor>
-  std::size_t run_in_parts(const State& state, Editor& editor, std::vector<Index>& open,
+  std::size_t run_in_parts(const State& state, Editor& editor, std::vector<Edge_index>& open,
                            bool faces_tile_hull, std::size_t limit)
   {
     using Parts = typename State::Parts;
@@ -149,7 +149,7 @@ private:
 
   // Moves the edges inside of a part to its seeds; the others remain. Threads find these parts.
   template <class Parts>
-  void divide(const Topology_parts_2& topology, std::size_t parts, std::vector<Index>& edges)
+  void divide(const Topology_parts_2& topology, std::size_t parts, std::vector<Edge_index>& edges)
   {
     constexpr std::size_t least = (std::max)(Parts::usual_size / 8, std::size_t(1));
     constexpr std::uint8_t none = 255;
@@ -234,7 +234,7 @@ private:
   // of a flip, at 1,000 with other work between the frames a fifth of it. The last step fetches the
   // positions needed to examine the sides of the new diagonal.
   template <class State>
-  static void prefetch_stretch(const State& state, const std::vector<Index>& seeds,
+  static void prefetch_stretch(const State& state, const std::vector<Edge_index>& seeds,
                                std::size_t first)
   {
     const auto& arrays = state.arrays();

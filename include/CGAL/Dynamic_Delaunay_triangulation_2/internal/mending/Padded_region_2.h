@@ -26,7 +26,7 @@ public:
   }
 
   // Collects the region around `classified`. Skips vertices that are in no face.
-  void run(const std::vector<Index>& classified, unsigned padding)
+  void run(const std::vector<Vertex_index>& classified, unsigned padding)
   {
     m_number_of_classified = collect_region(m_state, classified, padding, m_vertices);
     m_number_of_inner = m_vertices.size();
@@ -34,19 +34,19 @@ public:
   }
 
   // All vertices of the region, except the border.
-  std::vector<Index> inner() const { return part(0, m_number_of_inner); }
-  std::vector<Index> padded() const { return part(m_number_of_classified, m_number_of_inner); }
-  std::vector<Index> border() const { return part(m_number_of_inner, m_vertices.size()); }
+  std::vector<Vertex_index> inner() const { return part(0, m_number_of_inner); }
+  std::vector<Vertex_index> padded() const { return part(m_number_of_classified, m_number_of_inner); }
+  std::vector<Vertex_index> border() const { return part(m_number_of_inner, m_vertices.size()); }
 
 private:
-  std::vector<Index> part(std::size_t first, std::size_t beyond) const
+  std::vector<Vertex_index> part(std::size_t first, std::size_t beyond) const
   {
-    const std::vector<Index>& all = m_vertices.members();
+    const std::vector<Vertex_index>& all = m_vertices.members();
     return {all.begin() + std::ptrdiff_t(first), all.begin() + std::ptrdiff_t(beyond)};
   }
 
   const State& m_state;
-  Index_set m_vertices; // classified, then padded, then border
+  Index_set<Vertex_index> m_vertices; // classified, then padded, then border
   std::size_t m_number_of_classified = 0, m_number_of_inner = 0;
 };
 

@@ -93,13 +93,13 @@ public:
   Location locate(Vertex_index nearby, Index spread) const
   {
     const Arrays& arrays = m_state.arrays();
-    const Index start = arrays.corner(nearest(nearby, spread));
+    const Halfedge_index start = arrays.corner(nearest(nearby, spread));
     Location location;
     location.face = Arrays::face_of(start);
     location.chart = m_target.chart_at(start);
     Halfedge_index h = way_out(location);
     while (h != null_index && may_go_on(++location.steps)) {
-      const Index entry = arrays.twin(h);
+      const Halfedge_index entry = arrays.twin(h);
       location.chart = m_state.chart_beyond(h, location.chart);
       location.face = Arrays::face_of(entry);
       h = way_on(entry, location.chart, location.steps % 2 == 0);
@@ -115,7 +115,7 @@ private:
   // of the cube root of n vertices, evenly spread over the numbers. Then searches around the
   // nearest one at ever smaller steps of the numbers, which follow a curve through the plane. At
   // 100,000 points the second search takes as long as two steps of the walk, and saves some forty.
-  Index nearest(Vertex_index nearby, Index spread) const
+  Vertex_index nearest(Vertex_index nearby, Index spread) const
   {
     const Index vertices = m_state.number_of_vertices();
     Index samples = 1;
@@ -124,13 +124,13 @@ private:
     Nearest best{nearby, m_target.rounded_squared_distance(nearby)};
     if (spread > vertices / samples) {
       for (Index i = 0; i < samples; ++i)
-        consider(1 + Index(std::size_t(i) * vertices / samples), best);
+        consider(Vertex_index(1 + std::size_t(i) * vertices / samples), best);
       spread = vertices / samples / 2;
     }
     for (Index step = spread; step > 0; step /= 2) {
-      const Index middle = best.vertex;
+      const Vertex_index middle = best.vertex;
       if (middle > step)
-        consider(middle - step, best);
+        consider(Vertex_index(middle - step), best);
       if (step <= vertices - middle)
         consider(middle + step, best);
     }
@@ -139,7 +139,7 @@ private:
 
   struct Nearest
   {
-    Index vertex;
+    Vertex_index vertex;
     double squared_distance;
   };
 
@@ -155,11 +155,11 @@ private:
     return !State::can_locate_anywhere || steps < m_state.arrays().number_of_faces();
   }
 
-  Index any_face_with_target(Index otherwise) const
+  Face_index any_face_with_target(Face_index otherwise) const
   {
     const Arrays& arrays = m_state.arrays();
     Location location;
-    for (location.face = 0; location.face < arrays.number_of_faces(); ++location.face)
+    for (location.face = Face_index(0); location.face < arrays.number_of_faces(); ++location.face)
       if (!arrays.is_empty_face(location.face) && way_out(location) == null_index)
         return location.face;
     return otherwise;
@@ -173,7 +173,7 @@ private:
     const Halfedge_index first = Arrays::halfedge_in(location.face, 0);
     for (Halfedge_index h = first; h < first + 3; ++h) // an infinite face has one finite edge
       if (arrays.apex(h) == infinite_index)
-        return orientation(h, location.chart) == LEFT_TURN ? Halfedge_index(null_index) : h;
+        return orientation(h, location.chart) == LEFT_TURN ? null_index : h;
     for (Halfedge_index h = first; h < first + 3; ++h)
       if (orientation(h, location.chart) == RIGHT_TURN)
         return h;
@@ -191,7 +191,7 @@ private:
     const Halfedge_index first = turn ? next : previous, second = turn ? previous : next;
     if (orientation(first, chart) == RIGHT_TURN)
       return first;
-    return orientation(second, chart) == RIGHT_TURN ? second : Halfedge_index(null_index);
+    return orientation(second, chart) == RIGHT_TURN ? second : null_index;
   }
 
   // The orientation of the source of half-edge h, its target and the target of the search.

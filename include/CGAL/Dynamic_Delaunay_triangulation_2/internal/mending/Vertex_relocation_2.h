@@ -49,13 +49,13 @@ public:
 
   // Announces points to be inserted, with the next ids, after the removals. Swaps the lists for
   // others, unless it throws.
-  void announce(std::vector<Index>& ids, std::vector<Point>& points)
+  void announce(std::vector<Point_id>& ids, std::vector<Point>& points)
   {
     m_editor.reserve_ids(ids); // nothing throws from here on
     announce_reserved(ids, points);
   }
   // Announces points whose ids need not be reserved: no other point has them. Throws nothing.
-  void announce_reserved(std::vector<Index>& ids, std::vector<Point>& points)
+  void announce_reserved(std::vector<Point_id>& ids, std::vector<Point>& points)
   {
     m_coming_ids.swap(ids);
     m_coming_points.swap(points);
@@ -115,9 +115,9 @@ public:
   //
   // If everything is Delaunay (`are_delaunay`), it stays so: removes only vertices for which it is
   // known how. All other vertices keep their points until remove_rest().
-  std::vector<Index> remove(const std::vector<Index>& ids, bool are_delaunay)
+  std::vector<Vertex_index> remove(const std::vector<Point_id>& ids, bool are_delaunay)
   {
-    std::vector<Index> moved;
+    std::vector<Vertex_index> moved;
     m_editor.reserve_for_removals(ids.size());
     m_rest.clear();
     for (const Point_id id : ids)
@@ -130,7 +130,7 @@ public:
 
   // Removes the points with these ids that have a vertex of their own, so that everything stays
   // Delaunay, as it must be. Keeps for remove_rest() the vertices for which it is not known how.
-  void remove_of_delaunay(const std::vector<Index>& ids)
+  void remove_of_delaunay(const std::vector<Point_id>& ids)
   {
     m_editor.reserve_for_removals(ids.size());
     m_rest.clear();
@@ -156,11 +156,11 @@ public:
   // Merges vertices of the list that coincide: the one with the smallest id stays, and the points
   // of the others become duplicates there. Returns how many vertices were removed. Removes none if
   // more than `most` would have to go, or if fewer than three would remain.
-  std::size_t merge(const std::vector<Index>& vertices, std::size_t most)
+  std::size_t merge(const std::vector<Vertex_index>& vertices, std::size_t most)
   {
     const auto& ids = m_state.ids();
     m_meeting_order.sort(vertices.begin(), vertices.end());
-    std::vector<std::pair<Index, Index>> pairs;
+    std::vector<std::pair<Point_id, Point_id>> pairs;
     m_meeting_order.for_each_coincident_pair([&](Vertex_index v, Vertex_index w) {
       pairs.emplace_back(ids.representative(v), ids.representative(w));
     });
@@ -170,7 +170,7 @@ public:
       return 0;
     m_editor.reserve_for_duplicates(pairs.size());
     for (const auto& [i, j] : pairs) {
-      Index stays = ids.vertex(i), goes = ids.vertex(j);
+      Vertex_index stays = ids.vertex(i), goes = ids.vertex(j);
       if (ids.representative(goes) < ids.representative(stays))
         std::swap(stays, goes);
       reserve_for_slot();
@@ -194,7 +194,7 @@ public:
   // around v have to follow. After each vertex, calls `legalize(v, steps, faces)` with the steps of
   // all walks so far and the number of replaced faces, 0 in the second case. Stops if it is false.
   template <class Most_faces, class Legalize>
-  Counts put_in(const std::vector<Index>& parted_duplicates, const Most_faces& most_faces,
+  Counts put_in(const std::vector<Point_id>& parted_duplicates, const Most_faces& most_faces,
                 const Legalize& legalize)
   {
     Counts counts;
@@ -278,12 +278,12 @@ private:
     return true;
   }
 
-  void remove(Point_id id, bool are_delaunay, std::vector<Index>& moved)
+  void remove(Point_id id, bool are_delaunay, std::vector<Vertex_index>& moved)
   {
     const auto& ids = m_state.ids();
     const Vertex_index v = ids.vertex(id);
     if (ids.is_representative(id)) {
-      const Index successor = find_successor(id);
+      const Point_id successor = find_successor(id);
       if (successor == null_index)
         return remove_vertex(v, are_delaunay);
       const Point p = m_state.point(v);
@@ -295,7 +295,7 @@ private:
   }
 
   // A duplicate that can take the vertex of this point, or `null_index`.
-  Index find_successor(Point_id id) const
+  Point_id find_successor(Point_id id) const
   {
     const auto& ids = m_state.ids();
     return ids.find_duplicate_at(ids.vertex(id), [](const auto&) { return true; });
@@ -314,7 +314,7 @@ private:
 
   // Collects the positions to put in: those of waiting vertices, then those of parted duplicates,
   // then those of new points.
-  void collect_positions(const std::vector<Index>& parted_duplicates)
+  void collect_positions(const std::vector<Point_id>& parted_duplicates)
   {
     m_positions.clear();
     const auto add = [this](const Position_2& p) {
@@ -331,9 +331,9 @@ private:
   }
 
   // A finite vertex that is in some face.
-  Index any_vertex() const
+  Vertex_index any_vertex() const
   {
-    Vertex_index v = 1;
+    Vertex_index v(1);
     while (m_state.arrays().is_outside(v))
       ++v;
     return v;
@@ -348,7 +348,8 @@ private:
   // Where to start the search for the next position.
   struct Hint
   {
-    Vertex_index nearby, spread;
+    Vertex_index nearby;
+    Index spread; // of the numbers of vertices around the position
   };
 
   // A neighbor of v, because the number of v itself belongs to its former position.
@@ -368,7 +369,7 @@ private:
   }
 
   // Returns v, or `null_index` if another vertex is there already, and now has the points of v.
-  Index put_in_again(const Slot& slot, const Hint& hint, std::size_t most, Counts& counts)
+  Vertex_index put_in_again(const Slot& slot, const Hint& hint, std::size_t most, Counts& counts)
   {
     const Vertex_index v = slot.vertex;
     const Location location = locate(v, hint);
@@ -390,7 +391,7 @@ private:
 
   // Inserts a duplicate that parts, or a new point. Returns its vertex, or `null_index` if it has
   // become a duplicate.
-  Index insert(const std::vector<Index>& parted_duplicates, std::size_t i, const Hint& hint,
+  Vertex_index insert(const std::vector<Point_id>& parted_duplicates, std::size_t i, const Hint& hint,
                std::size_t most, Counts& counts)
   {
     const auto& ids = m_state.ids();
@@ -462,10 +463,10 @@ private:
   std::vector<Position_2> m_positions;
   Star_polygon_2<State> m_polygon; // around the vertex that goes or comes
   std::size_t m_replaced = 0;      // faces that the last vertex has replaced
-  std::vector<Index> m_rest;       // vertices for remove_rest()
+  std::vector<Vertex_index> m_rest;       // vertices for remove_rest()
   std::vector<Slot> m_waiting;     // of vertices that jumped
   std::vector<Slot> m_empty;       // of vertices without points
-  std::vector<Index> m_coming_ids;
+  std::vector<Point_id> m_coming_ids;
   std::vector<Point> m_coming_points;
 };
 

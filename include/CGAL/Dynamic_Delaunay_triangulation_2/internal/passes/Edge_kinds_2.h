@@ -43,13 +43,13 @@ inline bool is_at_infinity(const Edge_2& edge)
 // which the hull turns right. False for all other edges.
 inline bool breaks_hull(const Edge_2& edge, const std::vector<Position_2>& positions)
 {
-  const auto orientation = [&](Index p, Index q, Index r) {
+  const auto orientation = [&](Vertex_index p, Vertex_index q, Vertex_index r) {
     return cross(positions[q] - positions[p], positions[r] - positions[p]);
   };
   return by_kind(
       edge, [] { return false; },
-      [&](Index a, Index b, Index c) { return !(orientation(a, b, c) > 0); },
-      [&](Index p, Index q, Index r) { return !(orientation(p, q, r) >= 0); });
+      [&](Vertex_index a, Vertex_index b, Vertex_index c) { return !(orientation(a, b, c) > 0); },
+      [&](Vertex_index p, Vertex_index q, Vertex_index r) { return !(orientation(p, q, r) >= 0); });
 }
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

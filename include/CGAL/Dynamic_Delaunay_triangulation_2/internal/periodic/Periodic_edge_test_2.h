@@ -47,7 +47,7 @@ public:
 
   // Appends those of the edges [first, beyond) that the filters do not prove Delaunay. Empty edges
   // are left out.
-  void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
+  void append_unproved(Index first, Index beyond, std::vector<Edge_index>& unproved) const
   {
     const std::size_t before = unproved.size();
     internal::append_unproved<Plane_2>(m_space.arrays().edges().data(), m_space.positions(), first,
@@ -56,7 +56,7 @@ public:
   }
 
   // Appends those of the edges in a list.
-  void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
+  void append_unproved(const std::vector<Edge_index>& list, std::vector<Edge_index>& unproved) const
   {
     const std::size_t first = unproved.size();
     append_unproved_of<Plane_2>(m_space.arrays().edges().data(), m_space.positions(), list,
@@ -76,11 +76,11 @@ public:
 
 private:
   // From place `first` on, keeps the edges that the filters of the torus do not prove, either.
-  void keep_unproved(std::vector<Index>& unproved, std::size_t first) const
+  void keep_unproved(std::vector<Edge_index>& unproved, std::size_t first) const
   {
     const auto& arrays = m_space.arrays();
     const auto corners = [&](Edge_index e) { return m_space.corners_at(arrays.halfedge(e)); };
-    std::array<Index, 4> shifted;
+    std::array<Edge_index, 4> shifted;
     std::size_t kept = first, waiting = 0;
     for (std::size_t i = first; i < unproved.size(); ++i) {
       const Edge_index e = unproved[i];

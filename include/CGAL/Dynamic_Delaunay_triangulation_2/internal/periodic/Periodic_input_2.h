@@ -62,7 +62,7 @@ public:
   }
 
   // Throws if a point with one of these ids is too far away.
-  void check(const std::vector<Point>& points, const std::vector<Index>& ids) const
+  void check(const std::vector<Point>& points, const std::vector<Point_id>& ids) const
   {
     for (std::size_t i = 0; i < points.size(); ++i)
       checked_position(points[i], ids[i], m_state.torus());
@@ -72,7 +72,7 @@ public:
 
   // Ignores the positions with these ids in the next frame, because the call removes their points.
   // Until then these points move along with the cell.
-  void leave_out(const std::vector<Index>& ids) { m_gone = ids; }
+  void leave_out(const std::vector<Point_id>& ids) { m_gone = ids; }
 
   // Reads and checks a frame and its cell. Nothing changes before accept(), nor if this throws.
   template <class InputIterator, class PointMap>
@@ -86,7 +86,7 @@ public:
   {
     using Value = typename std::iterator_traits<InputIterator>::value_type;
     using Identity_map = boost::typed_identity_property_map<Point>;
-    const std::vector<Index> gone = std::exchange(m_gone, {});
+    const std::vector<Point_id> gone = std::exchange(m_gone, {});
     check_next(cell);
     check_frame_length(first, beyond, m_state.ids().number_of_ids());
     if constexpr (is_in_memory<InputIterator> && std::is_same_v<Value, Point> &&
@@ -142,7 +142,7 @@ private:
   {
     Point operator()(std::size_t id) const
     {
-      return goes[id] ? input.point_taken_along(Index(id), now) : points(id);
+      return goes[id] ? input.point_taken_along(Point_id(id), now) : points(id);
     }
     void prefetch(std::size_t) const {}
 
@@ -168,7 +168,7 @@ private:
   }
 
   void stage_points(const Points_by_id& points, const Periodic_cell_2& cell,
-                    const std::vector<Index>& gone)
+                    const std::vector<Point_id>& gone)
   {
     const Torus_2 now(cell);
     m_cell = cell;
@@ -215,7 +215,7 @@ private:
   template <class Next>
   void throw_refused(const Next& next, const Torus_2& now) const
   {
-    for (Point_id id = 0; id < m_state.ids().number_of_ids(); ++id)
+    for (Point_id id(0); id < m_state.ids().number_of_ids(); ++id)
       if (m_state.ids().is_taken(id))
         checked_position(next(id), id, now);
   }
@@ -236,7 +236,7 @@ private:
     return (std::min)(rounding * max_shift / torus.largest_multiple(1), coordinate_limit / 2);
   }
 
-  using Translations = std::vector<std::pair<Index, Shift>>;
+  using Translations = std::vector<std::pair<Vertex_index, Shift>>;
 
   // Stages the positions of the vertices. Lists the vertices that are nearest to another image of
   // their last position, with its shift in multiples of the new cell's vectors: a point that leaves
@@ -269,8 +269,8 @@ private:
         vertices < min_vertices_to_prefetch ? 0 : vertices - prefetched_ahead;
     constexpr Index block = 16;
     static_assert(block <= prefetched_ahead);
-    for (Vertex_index v = first; v < beyond; v += block) {
-      const Index end = (std::min)(v + block, beyond);
+    for (Vertex_index v(first); v < beyond; v += block) {
+      const Index end = (std::min)(Index(v) + block, beyond);
       const Index prefetched = end < end_of_prefetching ? prefetched_ahead : 0;
       if (!(is_same && stage_usual(next, now, usual, v, end, prefetched)) &&
           !stage_any<is_same>(next, now, v, end, translated))
@@ -287,11 +287,11 @@ private:
                    Index prefetched)
   {
     const auto staged = m_positions.staged();
-    const Index* const representatives = m_state.ids().representatives();
+    const Point_id* const representatives = m_state.ids().representatives();
     const Position_2* const positions = m_state.positions().data();
     const double short_way = now.short_way();
     bool are_usual = true;
-    for (Vertex_index v = first; v < beyond; ++v) {
+    for (Vertex_index v(first); v < beyond; ++v) {
       next.prefetch(representatives[v + prefetched]);
       const Point& point = next(representatives[v]);
       const Position_2 q = approximation(point), way = q - positions[v];
@@ -307,7 +307,7 @@ private:
                  Translations& translated)
   {
     const auto staged = m_positions.staged();
-    for (Vertex_index v = first; v < beyond; ++v) {
+    for (Vertex_index v(first); v < beyond; ++v) {
       const Position_2& p = m_state.positions()[v];
       const Point& point = next(m_state.ids().representative(v));
       const Position_2 q = approximation(point);
@@ -346,7 +346,7 @@ private:
     return Parts::all_of(halfedges, [&](std::size_t first, std::size_t beyond) {
       bool are = true;
       for (std::size_t h = first; h < beyond; ++h) {
-        const auto [i, j] = m_state.shift(Index(h));
+        const auto [i, j] = m_state.shift(Halfedge_index(h));
         for (std::size_t k = 0; k < 2; ++k)
           are &= std::abs(double(i) * multiples[0][k] + double(j) * multiples[1][k]) <
                  max_shift_in_face;
@@ -376,7 +376,7 @@ private:
   const typename State::Writer m_writer;
   typename State::Writer::Positions& m_positions;
   Torus_editing_2<State> m_editing;
-  std::vector<Index> m_gone; // ids to be left out of the next frame
+  std::vector<Point_id> m_gone; // ids to be left out of the next frame
   std::vector<typename State::Ids::Duplicate> m_next_duplicates;
   std::vector<Translations> m_parts; // of the vertices, while they are staged
   Translations m_translated;         // vertices, and their shifts

@@ -22,7 +22,7 @@ struct Periodic_change_2
 {
   enum class Kind { EDGE_REMOVED, EDGE_CREATED, POINT_TRANSLATED, CELL_EXCHANGED };
 
-  static Periodic_change_2 edge(Kind kind, Index i, Index j, const Periodic_shift_2& shift)
+  static Periodic_change_2 edge(Kind kind, Point_id i, Point_id j, const Periodic_shift_2& shift)
   {
     return {kind, i, j, {shift, no_shift}};
   }
@@ -51,7 +51,7 @@ struct Periodic_change_2
   }
 
   Kind kind;
-  Index i, j;
+  Point_id i, j;
   std::array<Periodic_shift_2, 2> shifts; // the first one alone, unless a cell was exchanged
 };
 

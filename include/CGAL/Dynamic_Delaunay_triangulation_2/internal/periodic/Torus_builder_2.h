@@ -62,7 +62,7 @@ public:
 
   // Triangulates the present points except those in `gone`, and the points that come. If it throws,
   // nothing has changed.
-  void build_with(const std::vector<Index>& gone, std::vector<Index> coming_ids,
+  void build_with(const std::vector<Point_id>& gone, std::vector<Point_id> coming_ids,
                   std::vector<Point> coming_points)
   {
     const auto all = m_staying.collect(gone, std::move(coming_ids), std::move(coming_points));
@@ -87,21 +87,21 @@ public:
   // Restores a triangulation that was kept, and must be valid, into one without points. `shifts`
   // are those of the apexes of half-edges. If memory runs out, the target can only be discarded.
   void restore(const Torus_2& torus, const Checkpoint_arrays_2<Point>& kept,
-               const std::vector<Periodic_shift_2>& shifts)
+               const typename State::Shifts& shifts)
   {
     Periodic_faces_2 faces;
     faces.shifts = shifts;
-    for (Halfedge_index h = 0; h < Index(shifts.size()); ++h) {
-      const Index flat = Flat_faces_2::from_arrays(h);
+    for (Halfedge_index h(0); h < Index(shifts.size()); ++h) {
+      const Flat_halfedge_index flat = Flat_faces_2::from_arrays(h);
       faces.apexes.push_back(kept.faces.apex(flat));
       faces.twins.push_back(Flat_faces_2::number_in_arrays(kept.faces.twin(flat)));
     }
     m_writer.set_torus(torus);
     write_points(kept.points.size(), [&](Vertex_index v) { return kept.points[v - 1]; });
     write_faces(faces);
-    for (Edge_index e = 0; e < arrays().number_of_edges(); ++e)
+    for (Edge_index e(0); e < arrays().number_of_edges(); ++e)
       arrays().set_edge(e, kept.forward_halfedges[e]);
-    for (Vertex_index v = 1; v < arrays().number_of_vertices(); ++v)
+    for (Vertex_index v(1); v < arrays().number_of_vertices(); ++v)
       arrays().set_corner(v, kept.corners[v - 1]);
     hide_shifted_edges();
     ids() = kept.ids;
@@ -163,7 +163,7 @@ private:
 
   // Triangulates all points at once. False if the result cannot be proved, as where points coincide
   // or form a grid: then there are no vertices.
-  bool triangulate(const std::vector<Index>& point_ids, const std::vector<Point>& points)
+  bool triangulate(const std::vector<Point_id>& point_ids, const std::vector<Point>& points)
   {
     if (m_engine != Static_engine_2::GUIBAS_STOLFI)
       return false;
@@ -180,12 +180,12 @@ private:
     write_faces(faces);
     ids().resize(Index(vertices));
     Parts::for_each_element(vertices, [&](std::size_t i) {
-      ids().set_representative(Index(i + 1), point_ids[faces.points[i + 1]]);
+      ids().set_representative(Vertex_index(i + 1), point_ids[faces.points[Vertex_index(i + 1)]]);
     });
     triangulator.release();
     hide_shifted_edges();
     note_created_edges();
-    std::vector<Index> open;
+    std::vector<Edge_index> open;
     append_unproved(m_state, open);
     if (flip(open, open.size() + points.size()))
       return true;
@@ -197,7 +197,7 @@ private:
   }
 
   // Inserts one point after the other, those before `second` first.
-  void insert(const std::vector<Index>& point_ids, const std::vector<Point>& points,
+  void insert(const std::vector<Point_id>& point_ids, const std::vector<Point>& points,
               std::size_t second)
   {
     start(point_ids.front(), points.front());
@@ -205,13 +205,13 @@ private:
     insert_part(point_ids, points, (std::max)(second, std::size_t(1)), points.size());
   }
 
-  void insert_part(const std::vector<Index>& all_ids, const std::vector<Point>& all_points,
+  void insert_part(const std::vector<Point_id>& all_ids, const std::vector<Point>& all_points,
                    std::size_t first, std::size_t beyond)
   {
     if (first == beyond)
       return;
     const auto i = std::ptrdiff_t(first), k = std::ptrdiff_t(beyond);
-    std::vector<Index> point_ids(all_ids.begin() + i, all_ids.begin() + k);
+    std::vector<Point_id> point_ids(all_ids.begin() + i, all_ids.begin() + k);
     std::vector<Point> points(all_points.begin() + i, all_points.begin() + k);
     static constexpr std::size_t most_faces =
         64; // that one insertion replaces: for more, flips take less time
@@ -239,18 +239,22 @@ private:
     const auto [r, t] = short_basis(m_state.torus());
     m_writer.positions().append(p);
     ids().append_vertex();
-    ids().place_representative(id, 1);
-    write_faces(
-        {{1, 1, 1, 1, 1, 1}, {4, 5, 3, 2, 0, 1}, {no_shift, r, r + t, no_shift, r + t, t}, {}});
+    ids().place_representative(id, Vertex_index(1));
+    Periodic_faces_2 faces;
+    faces.apexes.assign(6, Vertex_index(1));
+    for (const Index twin : {4, 5, 3, 2, 0, 1})
+      faces.twins.emplace_back(twin);
+    faces.shifts.assign({no_shift, r, r + t, no_shift, r + t, t});
+    write_faces(faces);
     hide_shifted_edges();
     note_created_edges();
-    m_open = {0, 1, 2};
+    m_open = {Edge_index(0), Edge_index(1), Edge_index(2)};
     flip(m_open, any_number);
   }
 
   // Flips these edges until all is Delaunay. False if flips do not help, or more than `most` would
   // be needed.
-  bool flip(std::vector<Index>& open, std::size_t most)
+  bool flip(std::vector<Edge_index>& open, std::size_t most)
   {
     while (!open.empty()) {
       const std::size_t flips = m_lawson.run(m_state, m_editor, open, false, most);
@@ -296,7 +300,7 @@ private:
   void hide_shifted_edges()
   {
     Parts::for_each_element(arrays().number_of_faces(), [&](std::size_t number) {
-      const Face_index f = Index(number);
+      const Face_index f(number);
       if (!m_state.crosses_border(f))
         return;
       for (const Halfedge_index h : Arrays::halfedges_of(f)) {
@@ -316,7 +320,7 @@ private:
   Vertex_relocation_2<State> m_relocation;
   Staying_points_2<State> m_staying;
   Lawson_flips_2 m_lawson;
-  std::vector<Index> m_open; // edges to examine
+  std::vector<Edge_index> m_open; // edges to examine
   Static_engine_2 m_engine = Static_engine_2::GUIBAS_STOLFI;
 };
 

@@ -33,7 +33,7 @@ public:
   {
     const Torus_2& torus = m_space.torus();
     Torus_2::Polynomial<1> area{0, 0}, area_of_cell = torus.exact_double_area();
-    for (Halfedge_index h = 0; h < arrays().number_of_halfedges(); h += 3) {
+    for (Halfedge_index h(0); h < arrays().number_of_halfedges(); h += 3) {
       const auto face =
           torus.exact_double_area(m_space.image(h), m_space.image(h + 1), m_space.image(h + 2));
       area = {area[0] + face[0], area[1] + face[1]};
@@ -48,7 +48,7 @@ private:
 
   bool do_shifts_agree() const
   {
-    for (Halfedge_index h = 0; h < arrays().number_of_halfedges(); ++h)
+    for (Halfedge_index h(0); h < arrays().number_of_halfedges(); ++h)
       if (!are_equal(m_space.transition(h), no_shift - m_space.transition(arrays().twin(h))))
         return false;
     return true;

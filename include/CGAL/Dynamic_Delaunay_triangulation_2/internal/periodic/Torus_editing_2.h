@@ -128,7 +128,7 @@ public:
     set_shifts(slot.faces[1], a, b, v);
   }
 
-  static void before_face(Index) {}
+  static void before_face(Face_index) {}
   // Moves the chart of a face to its first corner, and updates what passes over all edges see of
   // its edges.
   void after_face(Face_index f)
@@ -145,7 +145,7 @@ public:
   void note_all_edges(Kind kind)
   {
     if constexpr (Calls::is_heard)
-      for (Edge_index e = 0; e < arrays().number_of_edges(); ++e)
+      for (Edge_index e(0); e < arrays().number_of_edges(); ++e)
         if (!arrays().is_empty_edge(e))
           note_edge(kind, arrays().halfedge(e), log());
   }
@@ -168,10 +168,10 @@ public:
 
   // VERTICES ------------------------------------------------------------------------------------
 
-  static void after_vertex_creation(Index) {}
-  static void before_vertex_removal(Index) {}
-  static void before_vertex_relocation(Index) {}
-  static void before_vertex_merge(Index, Index) {}
+  static void after_vertex_creation(Vertex_index) {}
+  static void before_vertex_removal(Vertex_index) {}
+  static void before_vertex_relocation(Vertex_index) {}
+  static void before_vertex_merge(Vertex_index, Vertex_index) {}
 
   void reserve_for_id_change(Vertex_index v)
   {
@@ -181,7 +181,7 @@ public:
   }
   void before_id_change(Vertex_index v) { note_edges_around(Kind::EDGE_REMOVED, v); }
   // The vertex was at `before`.
-  void after_id_change(Vertex_index v, Index, const Position_2& before)
+  void after_id_change(Vertex_index v, Point_id, const Position_2& before)
   {
     note_edges_around(Kind::EDGE_CREATED, v);
     after_move(v, before);
@@ -236,11 +236,11 @@ public:
   void reserve_for_slot() { reserve_extra(shifts(), 6); }
   void append_slot() { shifts().resize(shifts().size() + 6); }
   void resize_data(std::size_t, std::size_t faces) { shifts().resize(3 * faces); }
-  static void renew_vertex(Index) {}
-  static void move_last_vertex_data_to(Index) {}
+  static void renew_vertex(Vertex_index) {}
+  static void move_last_vertex_data_to(Vertex_index) {}
   void move_last_face_data_to(Face_index f)
   {
-    const std::size_t last = shifts().size() - 3;
+    const Halfedge_index last(shifts().size() - 3);
     set_shifts(f, shifts()[last], shifts()[last + 1], shifts()[last + 2]);
     shifts().resize(last);
   }
@@ -248,7 +248,7 @@ public:
 private:
   Writable_halfedge_arrays_2& arrays() { return m_writer.arrays(); }
   Change_log_2& changes() { return m_writer.changes(); }
-  std::vector<Periodic_shift_2>& shifts() { return m_writer.shifts(); }
+  typename State::Shifts& shifts() { return m_writer.shifts(); }
 
   template <class Change>
   void note(const Change& change)
@@ -261,7 +261,7 @@ private:
   void note_edge(Kind kind, Halfedge_index h, Log& log) const
   {
     if constexpr (Calls::is_heard) {
-      const Index from = Arrays::next(h), to = Arrays::previous(h);
+      const Halfedge_index from = Arrays::next(h), to = Arrays::previous(h);
       if (!m_state.are_across(from, to))
         log.push_back(Periodic_change_2::edge(kind, m_state.id_at(from), m_state.id_at(to),
                                               m_state.shift_between(from, to)));

@@ -162,11 +162,11 @@ public:
   }
 
   // Returns the shift of corner `other` as seen from `corner`, in the same face.
-  Periodic_shift_2 shift_between(Halfedge_index corner, Index other) const
+  Periodic_shift_2 shift_between(Halfedge_index corner, Halfedge_index other) const
   {
     return m_shifts[other] - m_shifts[corner];
   }
-  bool are_across(Halfedge_index corner, Index other) const
+  bool are_across(Halfedge_index corner, Halfedge_index other) const
   {
     return m_torus.are_across(m_shifts[corner], m_shifts[other]);
   }
@@ -210,6 +210,7 @@ public:
 
   using Site = Periodic_site_2;
   using Chart = Periodic_shift_2;
+  using Shifts = Column<Halfedge_index, Periodic_shift_2>;
 
   static Vertex_index vertex_of(const Site& site) { return site.vertex; }
   static Site site_of(Vertex_index v) { return {v, no_shift}; }
@@ -262,8 +263,8 @@ public:
   bool are_neighbors(const Site& a, const Site& b) const
   {
     const Periodic_shift_2 way = b.shift - a.shift;
-    const Index first = m_arrays.corner(a.vertex), other_first = m_arrays.corner(b.vertex);
-    Index i = first, k = other_first;
+    const Halfedge_index first = m_arrays.corner(a.vertex), other_first = m_arrays.corner(b.vertex);
+    Halfedge_index i = first, k = other_first;
     do {
       if (leads(i, b.vertex, way) || leads(k, a.vertex, no_shift - way))
         return true;
@@ -279,7 +280,7 @@ public:
     if (m_arrays.is_outside(v))
       return;
     m_arrays.for_each_corner(v, [&](Halfedge_index h) {
-      const Index end = Halfedge_arrays_2::next(h);
+      const Halfedge_index end = Halfedge_arrays_2::next(h);
       if (!are_across(h, end))
         f(m_arrays.apex(end), shift_between(h, end));
     });
@@ -287,7 +288,7 @@ public:
   // Whether the edge from the apex of h to that of next(h) leads to v, shifted by `way`.
   bool leads(Halfedge_index h, Vertex_index v, const Periodic_shift_2& way) const
   {
-    const Index end = Halfedge_arrays_2::next(h);
+    const Halfedge_index end = Halfedge_arrays_2::next(h);
     return m_arrays.apex(end) == v && are_equal(m_shifts[end] - m_shifts[h], way);
   }
 
@@ -348,13 +349,13 @@ public:
     return {m_arrays.apex(Arrays::next(h)), m_arrays.apex(Arrays::previous(h)), m_arrays.apex(h),
             m_arrays.apex(m_arrays.twin(h))};
   }
-  std::array<Index, 3> face(Face_index f) const
+  std::array<Vertex_index, 3> face(Face_index f) const
   {
     return m_arrays.is_empty_face(f)
-               ? std::array<Index, 3>{infinite_index, infinite_index, infinite_index}
+               ? std::array<Vertex_index, 3>{infinite_index, infinite_index, infinite_index}
                : m_arrays.face(f);
   }
-  static constexpr bool is_along(Index, Index) { return true; } // halfedge(e) goes along edge(e)
+  static constexpr bool is_along(Edge_index, Halfedge_index) { return true; } // halfedge(e) goes along edge(e)
 
   // Whether the corners of an edge are on both sides of the gap beside a slab, or it is empty.
   bool is_at_infinity(Edge_index e) const
@@ -425,7 +426,7 @@ public:
 
     Writable_halfedge_arrays_2& arrays() const { return m_space.m_arrays; }
     Positions& positions() const { return m_space.m_positions; }
-    std::vector<Periodic_shift_2>& shifts() const { return m_space.m_shifts; }
+    Shifts& shifts() const { return m_space.m_shifts; }
 
     void set_torus(const Torus_2& torus) const { m_space.m_torus = torus; }
     // Replaces the cell; `multiples` are the old cell's vectors in multiples of the new ones.
@@ -488,7 +489,7 @@ private:
 
   Torus_2 m_torus;
   Writable_halfedge_arrays_2 m_arrays;
-  std::vector<Periodic_shift_2> m_shifts;                             // indexed by half-edges
+  Shifts m_shifts;
   std::vector<typename Point_arrays_2<Point>::Stored_point> m_points; // indexed by vertices
   Writable_positions_2<Point> m_positions;
   std::size_t m_cell_changes = 0;

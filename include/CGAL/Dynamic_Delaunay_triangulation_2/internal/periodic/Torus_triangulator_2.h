@@ -38,9 +38,10 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // The faces of a closed surface over the vertices 1, 2, ..., with a shift for each corner.
 struct Periodic_faces_2
 {
-  std::vector<Index> apexes, twins;     // of each half-edge, three for a face
-  std::vector<Periodic_shift_2> shifts; // of each apex; the first one of a face has none
-  std::vector<Index> points;            // of each vertex; the first one is not used
+  Column<Halfedge_index, Vertex_index> apexes;
+  Column<Halfedge_index, Halfedge_index> twins;
+  Column<Halfedge_index, Periodic_shift_2> shifts; // of each apex; the first of a face has none
+  Column<Vertex_index, Index> points; // of each vertex; the first one is not used
 };
 
 // Images of points in the plane, rounded, with the functions that predicates on vertices call.
@@ -65,7 +66,7 @@ public:
     m_shifts.resize(images + 1);
     m_positions[infinite_index] = nan_point();
   }
-  void set(Index number, const Image& image)
+  void set(Vertex_index number, const Image& image)
   {
     m_positions[number] = image.position;
     m_points[number] = image.point;
@@ -97,12 +98,15 @@ public:
   }
 
   std::size_t size() const { return m_positions.size(); }
-  Index point_of(Index image) const { return m_points[image]; }
-  const Periodic_shift_2& shift(Index image) const { return m_shifts[image]; }
+  Index point_of(Vertex_index image) const { return m_points[image]; }
+  const Periodic_shift_2& shift(Vertex_index image) const { return m_shifts[image]; }
 
   const std::vector<Position_2>& positions() const { return m_positions; }
   static constexpr bool positions_are_exact() { return true; }
-  Traits::Point_2 point(Index image) const { return {m_positions[image].x, m_positions[image].y}; }
+  Traits::Point_2 point(Vertex_index image) const
+  {
+    return {m_positions[image].x, m_positions[image].y};
+  }
   const Traits& traits() const { return m_traits; }
 
 private:
@@ -159,9 +163,9 @@ public:
     m_cloud.release();
     m_planar.release();
     m_order.release();
-    std::vector<Index>().swap(m_vertex_of_image);
-    std::vector<Index>().swap(m_wrapped);
-    std::vector<Index>().swap(m_face_numbers);
+    std::vector<Vertex_index>().swap(m_vertex_of_image);
+    std::vector<Vertex_index>().swap(m_wrapped);
+    std::vector<Face_index>().swap(m_face_numbers);
     std::vector<Open_halfedge>().swap(m_open);
   }
 
@@ -194,7 +198,7 @@ private:
           const Periodic_shift_2 shift = k + combination(basis, {r_multiple, t_multiple});
           return Image{torus.rounded({points[i], shift}), i, shift};
         };
-        m_cloud.set(i + 1, image(0, 0));
+        m_cloud.set(Vertex_index(i + 1), image(0, 0));
         const int u = side(m.x, along_r), v = side(m.y, along_t);
         if (u != 0)
           around[part].push_back(image(u, 0));
@@ -218,7 +222,7 @@ private:
     m_cloud.resize(size - 1);
     for (const auto& images : around)
       for (const Image& image : images)
-        m_cloud.set(Index(next_number++), image);
+        m_cloud.set(Vertex_index(next_number++), image);
     return true;
   }
 
@@ -260,18 +264,20 @@ private:
     m_faces.points.resize(points + 1);
     m_faces.points[infinite_index] = null_index;
     m_wrapped.resize(points + 1);
-    std::vector<Index> vertex_of_point(points);
+    std::vector<Vertex_index> vertex_of_point(points);
     number_in_parts(
         m_order.size(), [&](std::size_t i) { return m_order[i] <= points; },
         [&](std::size_t i, Index number) {
-          m_faces.points[number + 1] = m_order[i] - 1;
-          m_wrapped[number + 1] = Index(i + 1);
-          vertex_of_point[m_order[i] - 1] = number + 1;
+          const Vertex_index v(number + 1);
+          m_faces.points[v] = m_order[i] - 1;
+          m_wrapped[v] = Vertex_index(i + 1);
+          vertex_of_point[m_order[i] - 1] = v;
         });
     m_cloud.template arrange<Parts>(m_order);
     m_vertex_of_image.resize(m_cloud.size());
     Parts::for_each_element(m_order.size(), [&](std::size_t i) {
-      m_vertex_of_image[i + 1] = vertex_of_point[m_cloud.point_of(Index(i + 1))];
+      const Vertex_index image(i + 1);
+      m_vertex_of_image[image] = vertex_of_point[m_cloud.point_of(image)];
     });
   }
 
@@ -297,27 +303,27 @@ private:
     return sum;
   }
 
-  Index vertex(Index image) const { return m_vertex_of_image[image]; }
-  bool is_wrapped(Index image) const { return m_wrapped[vertex(image)] == image; }
+  Vertex_index vertex(Vertex_index image) const { return m_vertex_of_image[image]; }
+  bool is_wrapped(Vertex_index image) const { return m_wrapped[vertex(image)] == image; }
 
   // True for that translation of a face whose first corner is a wrapped point. The first corner has
   // the smallest vertex, and the smallest shift if several corners have that vertex.
-  bool is_kept(Index planar_face) const
+  bool is_kept(Face_index planar_face) const
   {
-    const Index h = Flat_faces_2::first_halfedge(planar_face);
-    std::array<Index, 3> corners{m_planar.apex(h), m_planar.apex(h + 1), m_planar.apex(h + 2)};
+    const Flat_halfedge_index h = Flat_faces_2::first_halfedge(planar_face);
+    std::array<Vertex_index, 3> corners{m_planar.apex(h), m_planar.apex(h + 1), m_planar.apex(h + 2)};
     if (std::find(corners.begin(), corners.end(), infinite_index) != corners.end())
       return false;
     // the usual case, which needs no search for the first corner, whose branches are unpredictable
     const auto wrapped = std::count_if(corners.begin(), corners.end(),
-                                       [this](Index image) { return is_wrapped(image); });
+                                       [this](Vertex_index image) { return is_wrapped(image); });
     if (wrapped == 0 || wrapped == 3)
       return wrapped == 3;
-    const Index first = *std::min_element(corners.begin(), corners.end(), [&](Index a, Index b) {
+    const auto comes_before = [&](Vertex_index a, Vertex_index b) {
       return std::make_tuple(vertex(a), m_cloud.shift(a)) <
              std::make_tuple(vertex(b), m_cloud.shift(b));
-    });
-    return is_wrapped(first);
+    };
+    return is_wrapped(*std::min_element(corners.begin(), corners.end(), comes_before));
   }
 
   // Copies the kept faces, and links them. False unless they are one face of each class.
@@ -329,9 +335,10 @@ private:
     std::vector<std::vector<Open_halfedge>> open(Parts::number(m_planar.number_of_faces()));
     Parts::for_each(
         m_planar.number_of_faces(), [&](std::size_t part, std::size_t first, std::size_t beyond) {
-          for (Index f = Index(first); f < beyond; ++f)
+          for (Face_index f(first); f < beyond; ++f)
             for (Index i = 0; i < 3 && m_face_numbers[f] != null_index; ++i)
-              link(Flat_faces_2::first_halfedge(f) + i, 3 * m_face_numbers[f] + i, open[part]);
+              link(Flat_faces_2::first_halfedge(f) + i, Arrays::halfedge_in(m_face_numbers[f], i),
+                   open[part]);
         });
     m_open.clear();
     for (const auto& of_part : open)
@@ -352,22 +359,25 @@ private:
   {
     const Index planar_faces = m_planar.number_of_faces();
     m_face_numbers.resize(planar_faces);
-    Parts::for_each_element(planar_faces, [&](std::size_t f) {
-      m_face_numbers[f] = is_kept(Index(f)) ? infinite_index : null_index;
+    Parts::for_each_element(planar_faces, [&](std::size_t i) {
+      const Face_index f(i);
+      m_face_numbers[f] = is_kept(f) ? Face_index(0) : null_index; // to be numbered, or not
     });
     const Index kept = number_in_parts(
-        planar_faces, [&](std::size_t f) { return m_face_numbers[f] != null_index; },
-        [&](std::size_t f, Index number) { m_face_numbers[f] = number; });
+        planar_faces, [&](std::size_t f) { return m_face_numbers[Face_index(f)] != null_index; },
+        [&](std::size_t f, Index number) { m_face_numbers[Face_index(f)] = Face_index(number); });
     m_faces.apexes.resize(3 * std::size_t(kept));
     m_faces.shifts.resize(3 * std::size_t(kept));
-    Parts::for_each_element(planar_faces, [&](std::size_t f) {
+    Parts::for_each_element(planar_faces, [&](std::size_t number) {
+      const Face_index f(number);
       if (m_face_numbers[f] == null_index)
         return;
-      const Index h = Flat_faces_2::first_halfedge(Index(f)), to = 3 * m_face_numbers[f];
+      const Flat_halfedge_index h = Flat_faces_2::first_halfedge(f);
       for (Index i = 0; i < 3; ++i) {
-        const Index image = m_planar.apex(h + i);
-        m_faces.apexes[to + i] = vertex(image);
-        m_faces.shifts[to + i] = m_cloud.shift(image) - m_cloud.shift(m_planar.apex(h));
+        const Vertex_index image = m_planar.apex(h + i);
+        const Halfedge_index to = Arrays::halfedge_in(m_face_numbers[f], i);
+        m_faces.apexes[to] = vertex(image);
+        m_faces.shifts[to] = m_cloud.shift(image) - m_cloud.shift(m_planar.apex(h));
       }
     });
     return kept;
@@ -376,10 +386,10 @@ private:
   // A half-edge of a kept face whose twin in the plane belongs to a face that is not kept.
   struct Open_halfedge
   {
-    Index from, to; // in ascending order
+    Vertex_index from, to; // in ascending order
     Periodic_shift_2 shift;
     bool is_reversed;
-    Index halfedge;
+    Halfedge_index halfedge;
 
     auto edge() const { return std::tie(from, to, shift); }
     bool has_edge_of(const Open_halfedge& other) const { return edge() == other.edge(); }
@@ -394,14 +404,15 @@ private:
     }
   };
 
-  void link(Index planar, Index h, std::vector<Open_halfedge>& open)
+  void link(Flat_halfedge_index planar, Halfedge_index h, std::vector<Open_halfedge>& open)
   {
-    const Index twin = m_planar.twin(planar), number = m_face_numbers[twin / 4];
+    const Flat_halfedge_index twin = m_planar.twin(planar);
+    const Face_index number = m_face_numbers[Flat_faces_2::face_of(twin)];
     if (number != null_index) {
-      m_faces.twins[h] = 3 * number + twin % 4;
+      m_faces.twins[h] = Arrays::halfedge_in(number, Flat_faces_2::place_of(twin));
       return;
     }
-    Index from = m_faces.apexes[Arrays::next(h)], to = m_faces.apexes[Arrays::previous(h)];
+    Vertex_index from = m_faces.apexes[Arrays::next(h)], to = m_faces.apexes[Arrays::previous(h)];
     Periodic_shift_2 shift = m_faces.shifts[Arrays::previous(h)] - m_faces.shifts[Arrays::next(h)];
     const bool is_reversed = from > to || (from == to && shift < no_shift);
     if (is_reversed) {
@@ -418,11 +429,11 @@ private:
     const std::size_t corners = m_faces.apexes.size();
     std::vector<std::atomic<Index>> start(points + 1); // one of each vertex's corners, plus one
     Parts::for_each_element(corners, [&](std::size_t h) {
-      start[m_faces.apexes[h]].store(Index(h + 1), std::memory_order_relaxed);
+      start[m_faces.apexes[Halfedge_index(h)]].store(Index(h + 1), std::memory_order_relaxed);
     });
     return Parts::sum(points, [&](std::size_t first, std::size_t beyond) {
              std::size_t met = 0;
-             for (Index v = Index(first) + 1; v <= beyond; ++v)
+             for (Vertex_index v(first + 1); v <= beyond; ++v)
                met += size_of_cycle(v, start[v].load(std::memory_order_relaxed));
              return met;
            }) == corners;
@@ -430,12 +441,12 @@ private:
 
   // The number of corners of v that a walk around it meets. Zero if v has no corners, or the walk
   // meets corners of other vertices.
-  std::size_t size_of_cycle(Index v, Index start) const
+  std::size_t size_of_cycle(Vertex_index v, Index start) const
   {
     if (start == 0)
       return 0;
     std::size_t met = 0;
-    Index h = start - 1;
+    Halfedge_index h(start - 1);
     do {
       h = Arrays::next(m_faces.twins[Arrays::next(h)]);
       if (m_faces.apexes[h] != v || ++met > m_faces.apexes.size())
@@ -451,7 +462,7 @@ private:
     const Index faces = m_planar.number_of_faces();
     Parts::for_each(faces, [&](std::size_t part, std::size_t first, std::size_t beyond) {
       double sum = 0;
-      for (Index f = Index(first); f < beyond; ++f)
+      for (Face_index f(first); f < beyond; ++f)
         if (m_face_numbers[f] != null_index)
           sum += doubled_area(Flat_faces_2::first_halfedge(f));
       doubled_areas[part] = sum;
@@ -462,7 +473,7 @@ private:
   }
 
   // Twice the area of the planar face that begins with half-edge h.
-  double doubled_area(Index h) const
+  double doubled_area(Flat_halfedge_index h) const
   {
     const Position_2& p = m_cloud.positions()[m_planar.apex(h)];
     const Position_2& q = m_cloud.positions()[m_planar.apex(h + 1)];
@@ -474,9 +485,9 @@ private:
   Spatial_order_2 m_order;
   Flat_faces_2 m_planar;
   Guibas_stolfi_2<Predicates, Parts> m_guibas_stolfi;
-  std::vector<Index> m_vertex_of_image;
-  std::vector<Index> m_wrapped;      // the image of each vertex's point in the cell
-  std::vector<Index> m_face_numbers; // of the planar faces that are kept
+  Column<Vertex_index, Vertex_index> m_vertex_of_image;
+  Column<Vertex_index, Vertex_index> m_wrapped;   // the image of each vertex's point in the cell
+  Column<Face_index, Face_index> m_face_numbers; // of the planar faces that are kept
   std::vector<Open_halfedge> m_open;
   Periodic_faces_2 m_faces;
 };

@@ -50,7 +50,7 @@ public:
     const auto& arrays = m_state.arrays();
     arrays.for_each_corner(infinite_index, [&](Halfedge_index corner) {
       const Vertex_index v = arrays.target(corner);
-      const Index next = arrays.target(arrays.next_corner(corner));
+      const Vertex_index next = arrays.target(arrays.next_corner(corner));
       summits += is_larger(v, arrays.source(corner)) && is_larger(v, next);
     });
     return summits == 1;
@@ -72,7 +72,7 @@ private:
     return State::Parts::all_of(m_state.arrays().number_of_edges(),
                                 [&](std::size_t first, std::size_t beyond) {
                                   for (std::size_t e = first; e < beyond; ++e)
-                                    if (test.state(Index(e)) != Edge_state_2::DELAUNAY)
+                                    if (test.state(Edge_index(e)) != Edge_state_2::DELAUNAY)
                                       return false;
                                   return true;
                                 });

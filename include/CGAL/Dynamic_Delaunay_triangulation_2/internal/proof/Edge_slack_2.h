@@ -65,7 +65,7 @@ BOOST_FORCEINLINE bool are_within(const Position_2* points, const Position_2* re
 template <int lanes>
 BOOST_FORCEINLINE void append_moved_in_lanes(const Position_2* positions,
                                              const Position_2* references, Vertex_index first,
-                                             Index beyond, double bound, std::vector<Index>& moved)
+                                             Index beyond, double bound, std::vector<Vertex_index>& moved)
 {
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES
   if constexpr (lanes > 1) {
@@ -84,13 +84,13 @@ BOOST_FORCEINLINE void append_moved_in_lanes(const Position_2* positions,
 // Returns false, and may leave vertices out, if they are more than `most`.
 inline bool append_moved(const std::vector<Position_2>& positions,
                          const std::vector<Position_2>& references, double tolerance,
-                         std::size_t most, std::vector<Index>& moved)
+                         std::size_t most, std::vector<Vertex_index>& moved)
 {
   const double bound = squared_bound(tolerance);
   const Index vertices = Index(positions.size());
   constexpr Index part = 1 << 10; // small parts, to detect motion everywhere early
-  for (Index first = 1; first < vertices && moved.size() <= most; first += part) {
-    const Index beyond = vertices - first < part ? vertices : first + part;
+  for (Vertex_index first(1); first < vertices && moved.size() <= most; first += part) {
+    const Index beyond = vertices - first < part ? vertices : Index(first) + part;
     call_with_lanes([&](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
       append_moved_in_lanes<lanes>(positions.data(), references.data(), first, beyond, bound,
                                    moved);

@@ -80,7 +80,7 @@ inline void prefetch_corners(const Edge_2& edge, const Position_2* positions)
 template <class Space, int lanes, class Pass>
 BOOST_FORCEINLINE std::size_t
 append_unproved_in_lanes(const Pass& pass, const Position_2* positions, std::size_t first,
-                         std::size_t beyond, std::vector<Index>& unproved)
+                         std::size_t beyond, std::vector<Edge_index>& unproved)
 {
   for (; first + lanes <= beyond; first += lanes) {
     pass.template prefetch_ahead<lanes>(first);
@@ -99,7 +99,7 @@ append_unproved_in_lanes(const Pass& pass, const Position_2* positions, std::siz
 
 template <class Space, class Pass>
 void append_unproved_of_pass(const Pass& pass, const std::vector<Position_2>& positions,
-                             std::size_t first, std::size_t beyond, std::vector<Index>& unproved)
+                             std::size_t first, std::size_t beyond, std::vector<Edge_index>& unproved)
 {
   const Position_2* const places = positions.data();
   call_with_lanes([=, &unproved](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
@@ -113,7 +113,7 @@ void append_unproved_of_pass(const Pass& pass, const std::vector<Position_2>& po
 struct Consecutive_edges_2
 {
   const Edge_2& edge(std::size_t e) const { return edges[e]; }
-  Index number(std::size_t e) const { return Index(e); }
+  Edge_index number(std::size_t e) const { return Edge_index(e); }
   template <int>
   void prefetch_ahead(std::size_t) const
   {
@@ -142,14 +142,14 @@ struct Prefetched_edges_2 : Consecutive_edges_2
 struct Listed_edges_2 : Consecutive_edges_2
 {
   const Edge_2& edge(std::size_t i) const { return edges[list[i]]; }
-  Index number(std::size_t i) const { return list[i]; }
+  Edge_index number(std::size_t i) const { return list[i]; }
 
-  const Index* list;
+  const Edge_index* list;
 };
 
 template <class Space>
 void append_unproved(const Edge_2* edges, const std::vector<Position_2>& positions, Index first,
-                     Index beyond, std::vector<Index>& unproved)
+                     Index beyond, std::vector<Edge_index>& unproved)
 {
   constexpr Index last_ones = Prefetched_edges_2::far_ahead;
   if (positions.size() >= min_vertices_to_prefetch && beyond - first > last_ones) {
@@ -162,7 +162,7 @@ void append_unproved(const Edge_2* edges, const std::vector<Position_2>& positio
 
 template <class Space>
 void append_unproved_of(const Edge_2* edges, const std::vector<Position_2>& positions,
-                        const std::vector<Index>& list, std::vector<Index>& unproved)
+                        const std::vector<Edge_index>& list, std::vector<Edge_index>& unproved)
 {
   append_unproved_of_pass<Space>(Listed_edges_2{{edges}, list.data()}, positions, 0, list.size(),
                                  unproved);
@@ -181,7 +181,7 @@ public:
   {
   }
 
-  Orientation orientation(Index a, Index b, Index c) const
+  Orientation orientation(Vertex_index a, Vertex_index b, Vertex_index c) const
   {
     if (m_state.positions_are_exact()) {
       const auto& positions = m_state.positions();
@@ -192,7 +192,7 @@ public:
   }
 
   // The side of d of the circle through a, b and c, which must be counterclockwise.
-  Oriented_side side_of_circle(Index a, Index b, Index c, Index d) const
+  Oriented_side side_of_circle(Vertex_index a, Vertex_index b, Vertex_index c, Vertex_index d) const
   {
     if (m_state.positions_are_exact()) {
       const auto& positions = m_state.positions();
@@ -220,13 +220,13 @@ public:
 private:
   // Separate functions, so that compilers inline the filters.
 
-  BOOST_NOINLINE Orientation kernel_orientation(Index a, Index b, Index c) const
+  BOOST_NOINLINE Orientation kernel_orientation(Vertex_index a, Vertex_index b, Vertex_index c) const
   {
     return m_state.traits().orientation_2_object()(m_state.point(a), m_state.point(b),
                                                    m_state.point(c));
   }
 
-  BOOST_NOINLINE Oriented_side kernel_side_of_circle(Index a, Index b, Index c, Index d) const
+  BOOST_NOINLINE Oriented_side kernel_side_of_circle(Vertex_index a, Vertex_index b, Vertex_index c, Vertex_index d) const
   {
     return m_state.traits().side_of_oriented_circle_2_object()(m_state.point(a), m_state.point(b),
                                                                m_state.point(c), m_state.point(d));
@@ -264,8 +264,8 @@ public:
   {
     return by_kind(
         m_state.arrays().edge(e), [&] { return inner_edge_state(e); },
-        [&](Index a, Index b, Index c) { return hull_edge_state(a, b, c); },
-        [&](Index p, Index q, Index r) { return hull_corner_state(p, q, r); });
+        [&](Vertex_index a, Vertex_index b, Vertex_index c) { return hull_edge_state(a, b, c); },
+        [&](Vertex_index p, Vertex_index q, Vertex_index r) { return hull_corner_state(p, q, r); });
   }
 
   // Returns the state at lower cost, but may report a NOT_FLIPPABLE edge as INVERTED.
@@ -285,16 +285,16 @@ public:
 
   // Appends those of the edges [first, beyond) that the filter does not prove Delaunay, among them
   // all edges at infinity.
-  void append_unproved(Index first, Index beyond, std::vector<Index>& unproved) const
+  void append_unproved(Index first, Index beyond, std::vector<Edge_index>& unproved) const
   {
     if (m_state.positions_are_exact())
       return internal::append_unproved<Plane_2>(m_state.arrays().edges().data(),
                                                 m_state.positions(), first, beyond, unproved);
-    for (Edge_index e = first; e < beyond; ++e)
+    for (Edge_index e(first); e < beyond; ++e)
       unproved.push_back(e);
   }
   // Appends those of the edges in a list.
-  void append_unproved(const std::vector<Index>& list, std::vector<Index>& unproved) const
+  void append_unproved(const std::vector<Edge_index>& list, std::vector<Edge_index>& unproved) const
   {
     if (m_state.positions_are_exact())
       return append_unproved_of<Plane_2>(m_state.arrays().edges().data(), m_state.positions(), list,
@@ -325,7 +325,7 @@ private:
   }
 
   // Tests the hull edge from b to c with the finite face (a, b, c): a must be on its left.
-  Edge_state_2 hull_edge_state(Index a, Index b, Index c) const
+  Edge_state_2 hull_edge_state(Vertex_index a, Vertex_index b, Vertex_index c) const
   {
     if (b == infinite_index)
       return Edge_state_2::DELAUNAY; // it is empty
@@ -340,7 +340,7 @@ private:
   }
 
   // Tests the turn of the hull at v; the hull is counterclockwise.
-  Edge_state_2 hull_corner_state(Index before, Vertex_index v, Index after) const
+  Edge_state_2 hull_corner_state(Vertex_index before, Vertex_index v, Vertex_index after) const
   {
     switch (orientation(before, v, after)) {
     case LEFT_TURN:
@@ -353,13 +353,13 @@ private:
     }
   }
 
-  Orientation orientation(Index a, Index b, Index c) const
+  Orientation orientation(Vertex_index a, Vertex_index b, Vertex_index c) const
   {
     return m_predicates.orientation(a, b, c);
   }
 
   // Whether q is strictly between p and r, for collinear points.
-  bool is_strictly_between(Index p, Index q, Index r) const
+  bool is_strictly_between(Vertex_index p, Vertex_index q, Vertex_index r) const
   {
     const Comparison_result pq = m_predicates.compare_xy(p, q);
     return pq != EQUAL && pq == m_predicates.compare_xy(q, r);
@@ -371,21 +371,21 @@ private:
 
 // Appends all edges that the filter does not prove Delaunay.
 template <class State>
-void append_unproved(const State& state, std::vector<Index>& unproved)
+void append_unproved(const State& state, std::vector<Edge_index>& unproved)
 {
   using Parts = typename State::Parts;
   const std::size_t edges = state.arrays().number_of_edges();
-  std::vector<std::vector<Index>> lists(Parts::number(edges));
+  std::vector<std::vector<Edge_index>> lists(Parts::number(edges));
   Parts::for_each(edges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
     typename State::Edge_test(state).append_unproved(Index(first), Index(beyond), lists[part]);
   });
-  for (const std::vector<Index>& list : lists)
+  for (const std::vector<Edge_index>& list : lists)
     unproved.insert(unproved.end(), list.begin(), list.end());
 }
 
 // Removes the Delaunay edges from the list, and keeps each other edge once, in ascending order.
 template <class State>
-void keep_unproved(const State& state, std::vector<Index>& edges)
+void keep_unproved(const State& state, std::vector<Edge_index>& edges)
 {
   using Parts = typename State::Parts;
   constexpr std::size_t least = (std::max)(Parts::usual_size / 16, std::size_t(1)), ahead = 8;

@@ -54,7 +54,7 @@ public:
     m_sample.clear();
     const std::size_t vertices = frame.number_of_vertices();
     for (std::size_t i = 0; i < sample_size; ++i) {
-      const Vertex_index v = Index(1 + i * vertices / sample_size);
+      const Vertex_index v(1 + i * vertices / sample_size);
       m_sample.push_back(distance(frame.position(v), frame.previous_position(v)));
     }
     m_typical_step = quantile(m_sample, 2);
@@ -126,7 +126,7 @@ public:
   // among the sides of their faces: an inverted face breaks its skipped edges, too. Returns false,
   // with no result, if too many vertices have moved too far.
   template <class Frame>
-  bool append_unproved(const Frame& frame, std::vector<Index>& unproved)
+  bool append_unproved(const Frame& frame, std::vector<Edge_index>& unproved)
   {
     m_moved.clear();
     m_holds = append_moved(frame.positions(), m_references, m_tolerance, max_moved(frame), m_moved);
@@ -175,7 +175,7 @@ private:
     m_sample.clear();
     const std::size_t edges = frame.number_of_edges();
     for (std::size_t i = 0; i < sample_size; ++i) {
-      const double slack = Frame::Slacks::value(frame, Index(i * edges / sample_size));
+      const double slack = Frame::Slacks::value(frame, Edge_index(i * edges / sample_size));
       if (!std::isnan(slack)) // NaN at infinity, and where squares overflow
         m_sample.push_back(slack);
     }
@@ -187,14 +187,14 @@ private:
   void find_tight(const Frame& frame)
   {
     const std::size_t edges = frame.number_of_edges();
-    std::vector<std::vector<Index>> tight(Frame::Parts::number(edges));
+    std::vector<std::vector<Edge_index>> tight(Frame::Parts::number(edges));
     Frame::Parts::for_each(edges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-      for (Edge_index e = Index(first); e < beyond; ++e)
+      for (Edge_index e(first); e < beyond; ++e)
         if (!Frame::Slacks::is_safe(frame, e, m_references, m_tolerance))
           tight[part].push_back(e);
     });
     m_tight.clear(edges);
-    for (const std::vector<Index>& list : tight)
+    for (const std::vector<Edge_index>& list : tight)
       for (const Edge_index e : list)
         m_tight.insert(e);
   }
@@ -243,12 +243,12 @@ private:
   double m_typical_step = 0;
   std::vector<Position_2> m_references; // of each vertex
   std::size_t m_cell_changes = 0;       // before the references were taken
-  Index_set m_tight;
+  Index_set<Edge_index> m_tight;
   bool m_hull_is_checked = false;
   bool m_hull_is_safe = false; // it turns around once while no vertex leaves the tolerance
   bool m_hull_stays = false;   // and no vertex at the hull has left it
-  std::vector<Index> m_moved;
-  std::vector<Index> m_changed; // edges whose opposite vertices have changed
+  std::vector<Vertex_index> m_moved;
+  std::vector<Edge_index> m_changed; // edges whose opposite vertices have changed
   std::vector<double> m_sample;
 };
 

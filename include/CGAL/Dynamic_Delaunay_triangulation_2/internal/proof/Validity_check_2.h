@@ -51,12 +51,12 @@ private:
   }
 
   // Whether is(i) for all numbers from `first` to before `beyond`.
-  template <class Predicate>
+  template <class Index_of_kind, class Predicate>
   static bool all_of(Index first, std::size_t beyond, const Predicate& is)
   {
     return State::Parts::all_of(beyond - first, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        if (!is(Index(first + i)))
+        if (!is(Index_of_kind(first + i)))
           return false;
       return true;
     });
@@ -84,7 +84,7 @@ private:
   {
     const auto& ids = m_state.ids();
     Index duplicates = 0;
-    for (Point_id id = 0; id < ids.number_of_ids(); ++id) {
+    for (Point_id id(0); id < ids.number_of_ids(); ++id) {
       if (!ids.is_taken(id))
         continue;
       const Vertex_index v = ids.vertex(id);
@@ -96,7 +96,7 @@ private:
           return false;
       }
     }
-    for (Vertex_index v = 1; v <= ids.number_of_representatives(); ++v)
+    for (Vertex_index v(1); v <= ids.number_of_representatives(); ++v)
       if (!ids.is_taken(ids.representative(v)) || ids.vertex(ids.representative(v)) != v)
         return false;
     return duplicates == ids.duplicates().size() &&
@@ -116,10 +116,11 @@ private:
     const auto has_corner = [&](Vertex_index v) {
       return !arrays.is_outside(v) && arrays.apex(arrays.corner(v)) == v;
     };
-    return all_of(0, arrays.number_of_faces(), is_face) &&
-           all_of(0, arrays.number_of_halfedges(),
+    return all_of<Face_index>(0, arrays.number_of_faces(), is_face) &&
+           all_of<Halfedge_index>(
+               0, arrays.number_of_halfedges(),
                   [this](Halfedge_index h) { return is_halfedge_consistent(h); }) &&
-           all_of(first_vertex, arrays.number_of_vertices(), has_corner);
+           all_of<Vertex_index>(first_vertex, arrays.number_of_vertices(), has_corner);
   }
 
   // Whether no two edges have the same ends, as seen from one end, and none ends where it begins.
@@ -148,8 +149,8 @@ private:
     const Edge_index e = arrays.edge_of(h);
     const Edge_2 edge = m_state.edge(e);
     const bool is_forward = m_state.is_along(e, arrays.halfedge(e)) == (h == arrays.halfedge(e));
-    const Index left = is_forward ? edge.left : edge.right;
-    const Index right = is_forward ? edge.right : edge.left;
+    const Vertex_index left = is_forward ? edge.left : edge.right;
+    const Vertex_index right = is_forward ? edge.right : edge.left;
     return m_state.is_shown_right(e) && arrays.twin(g) == h &&
            arrays.edge_of(g) == arrays.edge_of(h) && arrays.source(g) == arrays.target(h) &&
            arrays.target(g) == arrays.source(h) && left == arrays.apex(h) &&
@@ -170,7 +171,7 @@ private:
     return false;
   }
 
-  static constexpr Index first_vertex = State::is_periodic ? 1 : infinite_index;
+  static constexpr Vertex_index first_vertex{State::is_periodic ? 1 : 0};
 
   const State& m_state;
   bool m_verbose;

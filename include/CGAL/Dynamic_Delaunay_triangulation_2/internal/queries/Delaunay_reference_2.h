@@ -144,7 +144,7 @@ public:
     , m_state(certified_state(reference))
     , m_queries(reference)
   {
-    for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v)
+    for (Vertex_index v(1); v <= m_state.number_of_vertices(); ++v)
       m_site_of_vertex.push_back(site(m_state.point(v)));
   }
 
@@ -163,14 +163,14 @@ public:
 
   std::array<Reference_site_2, 3> corners(std::size_t face) const
   {
-    const auto [h, i, k] = Arrays::halfedges_of(Index(face));
+    const auto [h, i, k] = Arrays::halfedges_of(Face_index(face));
     return {corner(h), corner(i), corner(k)};
   }
 
   template <class Function>
   void for_each_edge(const Function& f) const
   {
-    for (Edge_index e = 0; e < m_state.arrays().number_of_edges(); ++e) {
+    for (Edge_index e(0); e < m_state.arrays().number_of_edges(); ++e) {
       const Halfedge_index h = m_state.arrays().halfedge(e);
       if (!m_state.are_across(Arrays::next(h), Arrays::previous(h)))
         f(corner(Arrays::next(h)), corner(Arrays::previous(h)), tie(h));

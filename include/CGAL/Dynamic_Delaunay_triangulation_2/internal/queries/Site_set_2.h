@@ -58,7 +58,7 @@ public:
   auto end() const { return m_sites.end(); }
 
 private:
-  std::conditional_t<State::is_periodic, std::set<Site>, Index_set> m_sites;
+  std::conditional_t<State::is_periodic, std::set<Site>, Index_set<Vertex_index>> m_sites;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

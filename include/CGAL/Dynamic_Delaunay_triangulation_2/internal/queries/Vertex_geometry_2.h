@@ -40,7 +40,7 @@ public:
   }
 
   // Passes over faces are much slower where compilers do not inline this.
-  BOOST_FORCEINLINE Position_2 operator()(Index from, Index to) const
+  BOOST_FORCEINLINE Position_2 operator()(Vertex_index from, Vertex_index to) const
   {
     if (m_positions_are_exact)
       return m_frame.position(to) - m_frame.position(from);

@@ -128,7 +128,7 @@ private:
 // A point with its weight.
 struct Weighted_id_2
 {
-  Index id;
+  Point_id id;
   Periodic_shift_2 shift;
   double weight;
 
@@ -284,7 +284,7 @@ private:
   Rounded_weight_parts_2<State> m_rounded;
   Location_2<State> m_location;
   Cavity_2<State> m_cavity;
-  Vertex_index m_last = 1; // near the last query point
+  Vertex_index m_last{1};  // near the last query point
   double m_near = -1;      // the squared distance to walk from there at most
 };
 

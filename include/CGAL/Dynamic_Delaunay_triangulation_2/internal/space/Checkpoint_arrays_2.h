@@ -28,9 +28,9 @@ struct Checkpoint_arrays_2
   // Empty if the points do not span the plane: then every frame is triangulated from scratch.
   Flat_faces_2 faces;
   // Half-edges by their numbers in the arrays.
-  std::vector<Index> corners;           // of each vertex the one that the arrays store
-  std::vector<Index> forward_halfedges; // of each edge the one from its source to its target
-  std::vector<Index> halfedges;         // of each edge the stored one; of a torus its twin
+  std::vector<Halfedge_index> corners;                  // of each vertex the one that the arrays store
+  Column<Edge_index, Halfedge_index> forward_halfedges; // of each edge the one from its source to its target
+  Column<Edge_index, Halfedge_index> halfedges;         // of each edge the stored one; of a torus its twin
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -36,10 +36,10 @@ struct Change_2
 {
   bool is_frame = false; // all points that stay have new positions, which are staged
   bool is_mending = false;
-  std::vector<Index> gone;  // distinct ids of points to remove
-  std::vector<Index> moved; // distinct ids of points that move alone, and their new positions
+  std::vector<Point_id> gone;  // distinct ids of points to remove
+  std::vector<Point_id> moved; // distinct ids of points that move alone, and their new positions
   std::vector<Point> moved_points;
-  std::vector<Index> coming; // ids of points to insert, and their positions
+  std::vector<Point_id> coming; // ids of points to insert, and their positions
   std::vector<Point> coming_points;
   bool are_exact = true; // no coordinate above is rounded in the flat arrays
 
@@ -140,10 +140,10 @@ public:
   }
 
   // Does nothing: in the plane, points that the call removes may have any positions in the frame.
-  static void leave_out(const std::vector<Index>&) {}
+  static void leave_out(const std::vector<Point_id>&) {}
 
   // Does nothing: in the plane, points may have any coordinates that can be read.
-  static void check(const std::vector<Point>&, const std::vector<Index>&) {}
+  static void check(const std::vector<Point>&, const std::vector<Point_id>&) {}
 
   // Makes the positions that were read the present ones. Throws nothing.
   void accept()
@@ -200,7 +200,7 @@ private:
                   std::size_t end, bool& are_exact)
   {
     using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
-    const Index* const representatives = m_state.ids().representatives();
+    const Point_id* const representatives = m_state.ids().representatives();
     const auto staged = m_positions.staged();
     const auto stage = [&, staged](std::size_t i, Limit_check_2& check) {
       // keep the iterator and its value alive, because p may refer to data inside of them
@@ -210,7 +210,7 @@ private:
       const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
       check.add(position);
       are_exact = are_exact && has_exact_position(p);
-      staged.set(Index(i), position, p);
+      staged.set(Vertex_index(i), position, p);
     };
     // consecutive vertices are near to each other in the plane, but scattered over the range
     const auto prefetch_point = [&](std::size_t i) {
@@ -251,7 +251,7 @@ private:
     bool are_exact = true;
     const auto staged = m_positions.staged();
     auto duplicate = m_next_duplicates.begin(); // sorted by id
-    Point_id id = 0;
+    Point_id id(0);
     for (; id < ids && first != beyond; ++id, ++first) {
       if (!m_state.ids().is_taken(id))
         continue;
@@ -307,7 +307,7 @@ public:
   // Appends the ids of a range in its order. Throws if one has no point, or occurs more than once.
   template <class InputIterator>
   static void read_ids(InputIterator first, InputIterator beyond, const State& state,
-                       std::vector<Index>& ids)
+                       std::vector<Point_id>& ids)
   {
     for (; first != beyond; ++first)
       ids.push_back(read_id(*first, state));
@@ -331,11 +331,11 @@ public:
 private:
   // Reads an id from any type of integers. Throws if it has no point, as negative numbers do.
   template <class Integer>
-  static Index read_id(const Integer& id, const State& state)
+  static Point_id read_id(const Integer& id, const State& state)
   {
     if (!state.ids().is_taken(std::size_t(id)))
       throw Unknown_id_error_2(std::size_t(id), state.ids().number_of_ids());
-    return Index(id);
+    return Point_id(id);
   }
 };
 

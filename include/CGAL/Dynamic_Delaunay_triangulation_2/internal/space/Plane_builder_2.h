@@ -68,7 +68,7 @@ public:
   void set_engine(Static_engine_2 engine) { m_triangulator.set_engine(engine); }
 
   // Triangulates the present points except those in `gone`, and the points that come.
-  void build_with(const std::vector<Index>& gone, std::vector<Index> coming_ids,
+  void build_with(const std::vector<Point_id>& gone, std::vector<Point_id> coming_ids,
                   std::vector<Point> coming_points)
   {
     try {
@@ -201,7 +201,7 @@ private:
   void for_each_face(const Function& f) const
   {
     if constexpr (State::Visitor_calls::is_heard)
-      for (Face_index face = 0; face < m_arrays.number_of_faces(); ++face)
+      for (Face_index face(0); face < m_arrays.number_of_faces(); ++face)
         f(face);
   }
 
@@ -210,7 +210,7 @@ private:
   void for_each_vertex(const Function& f) const
   {
     if constexpr (State::Visitor_calls::is_heard)
-      for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v)
+      for (Vertex_index v(1); v <= m_state.number_of_vertices(); ++v)
         f(v);
   }
 
@@ -223,7 +223,7 @@ private:
       if (!next_ids.is_taken(id) || m_staying.goes(id))
         m_editing.before_vertex_removal(v);
       else if (!next_ids.is_representative(id)) {
-        const Index stays = next_ids.representative(next_ids.vertex(id)); // keeps its vertex, too
+        const Point_id stays = next_ids.representative(next_ids.vertex(id)); // keeps its vertex, too
         m_editing.before_vertex_merge(v, ids.vertex(stays));
       }
     });
@@ -243,8 +243,8 @@ private:
   bool relocate_one_by_one(Triangulation& triangulation, std::size_t& relocated)
   {
     const auto& tds = triangulation.tds();
-    std::vector<Index> waiting;
-    for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v)
+    std::vector<Vertex_index> waiting;
+    for (Vertex_index v(1); v <= m_state.number_of_vertices(); ++v)
       if (!coincide(m_state.traits(), m_state.point(v), tds.vertex_handle(v)->point()))
         waiting.push_back(v);
     const auto arrives = [&](Vertex_index v) {
@@ -308,7 +308,7 @@ private:
     m_positions.template collect<Parts>(
         ids.number_of_representatives(),
         [this](Vertex_index v) -> const Point& { return m_numbering.point(v); }, points, positions);
-    const std::vector<Index> before = numbers_before();
+    const std::vector<Vertex_index> before = numbers_before();
     auto data = m_storage.vertex_data().prepare(before);
     m_numbering.release_points();
     tell_of_going_vertices(ids);
@@ -335,17 +335,17 @@ private:
 
   // Returns for each vertex, as m_numbering numbers them, its former number, or `null_index` if it
   // is new. Empty if there are no user data at vertices.
-  std::vector<Index> numbers_before()
+  std::vector<Vertex_index> numbers_before()
   {
-    std::vector<Index> before;
+    std::vector<Vertex_index> before;
     if (m_storage.vertex_data().empty())
       return before;
     const Ids &ids = m_numbering.ids(), &present_ids = m_state.ids();
     before.push_back(infinite_index);
-    for (Vertex_index v = 1; v <= ids.number_of_representatives(); ++v) {
+    for (Vertex_index v(1); v <= ids.number_of_representatives(); ++v) {
       const Point_id id = ids.representative(v);
       before.push_back(m_staying.keeps_vertex(id, present_ids) ? present_ids.vertex(id)
-                                                               : Vertex_index(null_index));
+                                                               : null_index);
     }
     return before;
   }
@@ -375,7 +375,7 @@ private:
   void take_faces(const Flat_faces_2& faces)
   {
     const auto apex_and_twin = [&](Face_index f, Index i) {
-      const Halfedge_index h = Flat_faces_2::first_halfedge(f) + i;
+      const Flat_halfedge_index h = Flat_faces_2::first_halfedge(f) + i;
       return std::pair(faces.apex(h), Flat_faces_2::number_in_arrays(faces.twin(h)));
     };
     m_arrays.template write<Parts>(m_state.number_of_vertices(), faces.number_of_faces(),
@@ -396,7 +396,7 @@ private:
   {
     Triangulation line(m_state.traits());
     Face_handle last;
-    for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v)
+    for (Vertex_index v(1); v <= m_state.number_of_vertices(); ++v)
       last = line.insert(m_state.point(v), last)->face();
     take_arrays(line);
   }
@@ -422,11 +422,11 @@ private:
   // Restores the numbers of edges, and the corners.
   void restore_numbers(const Checkpoint_arrays_2<Point>& kept)
   {
-    for (Edge_index e = 0; e < m_arrays.number_of_edges(); ++e) {
+    for (Edge_index e(0); e < m_arrays.number_of_edges(); ++e) {
       m_arrays.set_edge(e, kept.forward_halfedges[e]);
       m_arrays.set_halfedge(e, kept.halfedges[e]);
     }
-    for (Vertex_index v = 0; v < m_arrays.number_of_vertices(); ++v)
+    for (Vertex_index v(0); v < m_arrays.number_of_vertices(); ++v)
       m_arrays.set_corner(v, kept.corners[v]);
   }
 

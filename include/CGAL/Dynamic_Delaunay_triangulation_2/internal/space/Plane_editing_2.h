@@ -84,8 +84,8 @@ public:
   {
     tell([&] { return Told::of(Kind::AFTER_FACE_CREATION, m_state.face_handle(f)); });
   }
-  static void before_edge(Index) {}
-  static void after_edge(Index) {}
+  static void before_edge(Edge_index) {}
+  static void after_edge(Edge_index) {}
 
   // VERTICES ------------------------------------------------------------------------------------
 
@@ -101,21 +101,21 @@ public:
   {
     tell([&] { return Told::of(Kind::BEFORE_VERTEX_RELOCATION, handle(v), id(v)); });
   }
-  void before_vertex_merge(Index goes, Index stays)
+  void before_vertex_merge(Vertex_index goes, Vertex_index stays)
   {
     tell(
         [&] { return Told::of(Kind::BEFORE_VERTEX_MERGE, handle(goes), id(goes), handle(stays)); });
   }
 
-  static void reserve_for_id_change(Index) {}
-  static void before_id_change(Index) {}
-  void after_id_change(Vertex_index v, Index former, const Position_2&)
+  static void reserve_for_id_change(Vertex_index) {}
+  static void before_id_change(Vertex_index) {}
+  void after_id_change(Vertex_index v, Point_id former, const Position_2&)
   {
     tell([&] { return Told::of(Kind::AFTER_ID_CHANGE, handle(v), std::size_t(former)); });
   }
 
   static void reserve_for_move() {}
-  static void after_move(Index, const Position_2&) {}
+  static void after_move(Vertex_index, const Position_2&) {}
 
   // Puts a held vertex exactly where it was before it moved.
   void put_to_rest(Vertex_index v) { m_writer.positions().put_to_rest(v); }

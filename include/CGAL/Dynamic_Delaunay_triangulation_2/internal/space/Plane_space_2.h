@@ -101,7 +101,7 @@ public:
   bool spans_plane() const { return m_triangulation.dimension() == 2; }
 
   const Edge_2& edge(Edge_index e) const { return arrays().edge(e); }
-  std::array<Index, 3> face(Face_index f) const { return arrays().face(f); }
+  std::array<Vertex_index, 3> face(Face_index f) const { return arrays().face(f); }
   // Whether half-edge h of edge e goes from the edge's source to the edge's target.
   bool is_along(Edge_index e, Halfedge_index h) const
   {
@@ -117,7 +117,7 @@ public:
   {
     return arrays().apex(arrays().twin(h)) == infinite_index;
   }
-  static bool is_shown_right(Index) { return true; }
+  static bool is_shown_right(Edge_index) { return true; }
   bool is_at_infinity(Edge_index e) const { return internal::is_at_infinity(edge(e)); }
   bool breaks_hull(Edge_index e) const { return internal::breaks_hull(edge(e), positions()); }
   static bool covers_space() { return true; } // there is nothing beside the hull to leave open
@@ -176,7 +176,7 @@ public:
     const auto [a, b, c] = arrays().face(f);
     return {positions()[a], positions()[b], positions()[c]};
   }
-  bool corners_are_exact(Index) const { return positions_are_exact(); }
+  bool corners_are_exact(Edge_index) const { return positions_are_exact(); }
   // The corners of an edge, as seen from the edge.
   Edge_corners_2 corners(Edge_index e) const { return corners(e, positions()); }
   // The corners of an edge if the vertices had other positions.
@@ -200,7 +200,7 @@ public:
   // A site is a vertex as seen in a chart, which says how a face is seen. In the plane all charts
   // are alike.
 
-  using Site = Index;
+  using Site = Vertex_index;
   struct Chart
   {
   };
@@ -210,9 +210,9 @@ public:
   // The apex of half-edge h, as seen in a chart of the half-edge's face.
   Site site_in(Halfedge_index h, Chart) const { return arrays().apex(h); }
   // The chart of the face of h as seen from the apex of h, and the chart of the face beyond h.
-  static Chart chart_at(Index) { return {}; }
-  static Chart chart_beyond(Index, Chart) { return {}; }
-  static Chart chart_seen_from(Index, Index) { return {}; }
+  static Chart chart_at(Halfedge_index) { return {}; }
+  static Chart chart_beyond(Halfedge_index, Chart) { return {}; }
+  static Chart chart_seen_from(Vertex_index, Halfedge_index) { return {}; }
   const Position_2& rounded_position(Site site) const { return positions()[site]; }
   // The position of v one frame ago, as seen from where the present position of v is `now`.
   Position_2 previous_position_at(Vertex_index v, const Position_2&) const
@@ -272,7 +272,7 @@ private:
     auto neighbor = m_triangulation.tds().incident_vertices(vertex_handle(v));
     const auto first = neighbor;
     do
-      f(neighbor.base().index());
+      f(Vertex_index(neighbor.base().index()));
     while (++neighbor != first);
   }
 

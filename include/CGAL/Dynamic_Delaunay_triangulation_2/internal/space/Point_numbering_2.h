@@ -40,7 +40,7 @@ public:
   // Numbers these points with these ids. All ids are smaller than `number_of_ids`.
   // `keeps_vertex(id)` is true if the point already has a vertex of its own, and stays.
   template <class Predicate>
-  void number(std::vector<Index> ids, std::vector<Point> points, Index number_of_ids,
+  void number(std::vector<Point_id> ids, std::vector<Point> points, Index number_of_ids,
               const Predicate& keeps_vertex)
   {
     m_point_ids = std::move(ids);
@@ -58,21 +58,21 @@ public:
     m_point_ids.resize(vertices + std::size_t(1)); // the infinite vertex has no point
     m_points.resize(vertices + std::size_t(1));
     Parts::for_each_element(vertices, [&](std::size_t i) {
-      const Vertex_index v = Index(i + 1);
+      const Vertex_index v(i + 1);
       m_point_ids[v] = m_state.ids().representative(v);
       m_points[v] = m_state.point(v);
     });
-    number_points(m_state.ids().number_of_ids(), [](Index) { return true; });
+    number_points(m_state.ids().number_of_ids(), [](Point_id) { return true; });
   }
 
   // Numbers all points of the maintained triangulation, at their present positions.
   void number()
   {
     const Ids& ids = m_state.ids();
-    std::vector<Index> point_ids = ids.representatives_and_duplicates();
+    std::vector<Point_id> point_ids = ids.representatives_and_duplicates();
     std::vector<Point> points;
     points.reserve(point_ids.size());
-    for (Vertex_index v = 1; v <= m_state.number_of_vertices(); ++v)
+    for (Vertex_index v(1); v <= m_state.number_of_vertices(); ++v)
       points.push_back(m_state.point(v));
     for (const auto& duplicate : ids.duplicates())
       points.push_back(duplicate.point);
@@ -90,7 +90,7 @@ public:
   void release_points()
   {
     std::vector<Point>().swap(m_points);
-    std::vector<Index>().swap(m_point_ids);
+    std::vector<Point_id>().swap(m_point_ids);
     std::vector<Index>().swap(m_place_of_vertex);
   }
   void release_order() { m_order.release(); }
@@ -127,7 +127,8 @@ private:
     m_place_of_vertex.resize(m_order.size());
     m_ids.resize(Index(m_order.size()));
     Parts::for_each_element(m_order.size(), [&](std::size_t i) {
-      const Index place = m_order[i], vertex = Index(i) + 1;
+      const Index place = m_order[i];
+      const Vertex_index vertex(i + 1);
       m_place_of_vertex[i] = place;
       m_ids.set_representative(vertex, m_point_ids[place]);
       m_order.renumber(i, vertex);
@@ -150,7 +151,7 @@ private:
 
   // Adds a vertex for the coincident points in these places of the order.
   template <class Predicate>
-  Index add_vertex(std::size_t first, std::size_t beyond, const Predicate& keeps_vertex)
+  Vertex_index add_vertex(std::size_t first, std::size_t beyond, const Predicate& keeps_vertex)
   {
     std::size_t representative = first;
     while (representative < beyond && !keeps_vertex(m_point_ids[m_order[representative]]))
@@ -169,7 +170,7 @@ private:
   const State& m_state;
   Spatial_order_2 m_order;
   std::vector<Point> m_points; // the points to number
-  std::vector<Index> m_point_ids;
+  std::vector<Point_id> m_point_ids;
   std::vector<Index> m_place_of_vertex; // index in m_points of its representative
   Ids m_ids;
 };

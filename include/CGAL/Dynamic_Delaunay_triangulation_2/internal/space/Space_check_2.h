@@ -35,7 +35,7 @@ constexpr bool answers(const Use&)
 {
   return std::is_invocable_v<Use, const Space&, Vertex_index, Halfedge_index, Edge_index,
                              Face_index, const typename Space::Site&, const typename Space::Chart&,
-                             const Position_2&, std::vector<Index>&, const Any_function&>;
+                             const Position_2&, std::vector<Edge_index>&, const Any_function&>;
 }
 
 // Whether expressions with a space and these values are well formed.
@@ -86,7 +86,7 @@ constexpr bool is_space()
                 "edge(e) has the four vertices of an edge; is_along(e, h), whether half-edge h "
                 "has its direction; is_shown_right(e), whether the arrays show it as they have "
                 "to");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<std::array<Index, 3>>(s.face(f)),
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<std::array<Vertex_index, 3>>(s.face(f)),
                                               as<std::array<Position_2, 3>>(s.face_corners(f))),
                 "face(f) and face_corners(f) have the vertices of a face, and where these are");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Edge_corners_2>(s.corners(e)),

@@ -20,7 +20,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 template <class Point>
 struct Points_to_build_2
 {
-  std::vector<Index> ids; // representatives that keep their vertices first
+  std::vector<Point_id> ids; // representatives that keep their vertices first
   std::vector<Point> points;
   Index number_of_ids = 0; // all ids are smaller
 };
@@ -41,13 +41,13 @@ public:
 
   // Collects the present points except those in `gone`, and the points that come. Until forget()
   // it is known who goes.
-  Points_to_build_2<Point> collect(const std::vector<Index>& gone, std::vector<Index> coming_ids,
+  Points_to_build_2<Point> collect(const std::vector<Point_id>& gone, std::vector<Point_id> coming_ids,
                                    std::vector<Point> coming_points)
   {
     Points_to_build_2<Point> all;
     all.number_of_ids = m_state.ids().number_of_ids();
     for (const Point_id id : coming_ids)
-      all.number_of_ids = (std::max)(all.number_of_ids, id + 1);
+      all.number_of_ids = (std::max)(all.number_of_ids, Index(id) + 1);
     all.ids = ids_without(gone);
     if (all.ids.empty()) { // as at a construction, where memory counts
       all.ids = std::move(coming_ids);
@@ -77,9 +77,9 @@ public:
 
 private:
   // The ids of all points but those in `gone`, representatives first.
-  std::vector<Index> ids_without(const std::vector<Index>& gone)
+  std::vector<Point_id> ids_without(const std::vector<Point_id>& gone)
   {
-    std::vector<Index> ids = m_state.ids().representatives_and_duplicates();
+    std::vector<Point_id> ids = m_state.ids().representatives_and_duplicates();
     if (gone.empty())
       return ids;
     m_goes.assign(m_state.ids().number_of_ids(), false);

@@ -178,7 +178,7 @@ public:
     m_target_positions.resize(m_positions.size(), nan_point());
     const Staged all{m_target_points.data(), m_target_positions.data()};
     Parts::for_each_element(m_points.size() - 1, [&](std::size_t i) {
-      const Vertex_index v = Index(i + 1);
+      const Vertex_index v(i + 1);
       const Position_2 p = place(v);
       all.set(v, p, Point(p.x, p.y));
     });
@@ -272,7 +272,7 @@ public:
       positions.resize(vertices + 1, nan_point());
     const Staged all{points.data(), positions.data()};
     Parts::for_each_element(vertices, [&](std::size_t i) {
-      const Vertex_index v = Index(i + 1);
+      const Vertex_index v(i + 1);
       const Point& p = point(v);
       all.set(v, approximation(p), p);
     });

@@ -12,6 +12,9 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
+// The number of a half-edge among those of `Flat_faces_2`.
+using Flat_halfedge_index = Index_of<struct Flat_halfedge_element>;
+
 // The faces of a fresh triangulation under construction, infinite ones included. Each has three
 // half-edges, opposite to its vertices. Empty if the points do not span the plane.
 //
@@ -21,32 +24,49 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 class Flat_faces_2
 {
 public:
-  static Index first_halfedge(Index face) { return 4 * face; }
-  static Index next(Index h) { return (h & 3) == 2 ? h - 2 : h + 1; }
-  static Index previous(Index h) { return (h & 3) == 0 ? h + 2 : h - 1; }
+  static Flat_halfedge_index first_halfedge(Face_index face)
+  {
+    return Flat_halfedge_index(4 * face);
+  }
+  static Flat_halfedge_index next(Flat_halfedge_index h)
+  {
+    return Flat_halfedge_index((h & 3) == 2 ? h - 2 : Index(h) + 1);
+  }
+  static Flat_halfedge_index previous(Flat_halfedge_index h)
+  {
+    return Flat_halfedge_index((h & 3) == 0 ? Index(h) + 2 : h - 1);
+  }
+  static Face_index face_of(Flat_halfedge_index h) { return Face_index(h / 4); }
+  static Index place_of(Flat_halfedge_index h) { return h & 3; }
   // The number of half-edge h in arrays with the same faces.
-  static Index number_in_arrays(Index h) { return h - h / 4; }
+  static Halfedge_index number_in_arrays(Flat_halfedge_index h)
+  {
+    return Halfedge_index(h - h / 4);
+  }
   // The half-edge with this number in arrays.
-  static Index from_arrays(Index number) { return number + number / 3; }
+  static Flat_halfedge_index from_arrays(Halfedge_index number)
+  {
+    return Flat_halfedge_index(Index(number) + number / 3);
+  }
 
   Index number_of_faces() const { return Index(m_halfedges.size() / 4); }
-  Index apex(Index h) const { return m_halfedges[h].apex; }
-  Index twin(Index h) const { return m_halfedges[h].twin; }
-  Index source(Index h) const { return apex(next(h)); }
-  Index target(Index h) const { return apex(previous(h)); }
+  Vertex_index apex(Flat_halfedge_index h) const { return m_halfedges[h].apex; }
+  Flat_halfedge_index twin(Flat_halfedge_index h) const { return m_halfedges[h].twin; }
+  Vertex_index source(Flat_halfedge_index h) const { return apex(next(h)); }
+  Vertex_index target(Flat_halfedge_index h) const { return apex(previous(h)); }
 
   void reserve(std::size_t faces) { m_halfedges.reserve(4 * faces); }
   void resize(std::size_t faces) { m_halfedges.resize(4 * faces); }
-  void set_apex(Index h, Index v) { m_halfedges[h].apex = v; }
-  void set_vertices(Index face, Index a, Index b, Index c)
+  void set_apex(Flat_halfedge_index h, Vertex_index v) { m_halfedges[h].apex = v; }
+  void set_vertices(Face_index face, Vertex_index a, Vertex_index b, Vertex_index c)
   {
-    const Index h = first_halfedge(face);
+    const Flat_halfedge_index h = first_halfedge(face);
     set_apex(h, a);
     set_apex(h + 1, b);
     set_apex(h + 2, c);
   }
-  void set_twin(Index h, Index g) { m_halfedges[h].twin = g; }
-  void link(Index h, Index g)
+  void set_twin(Flat_halfedge_index h, Flat_halfedge_index g) { m_halfedges[h].twin = g; }
+  void link(Flat_halfedge_index h, Flat_halfedge_index g)
   {
     set_twin(h, g);
     set_twin(g, h);
@@ -57,10 +77,11 @@ public:
 private:
   struct Halfedge
   {
-    Index apex, twin;
+    Vertex_index apex;
+    Flat_halfedge_index twin;
   };
 
-  Uninitialized_vector<Halfedge> m_halfedges;
+  Column<Flat_halfedge_index, Halfedge, Uninitialized_vector<Halfedge>> m_halfedges;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -42,6 +42,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 template <class Predicates, class Parts = Parallel_parts<Sequential_tag>>
 class Guibas_stolfi_2
 {
+  using Halfedge = Flat_halfedge_index;
+
 public:
   Guibas_stolfi_2(const Predicates& predicates, Flat_faces_2& faces)
     : m_predicates(predicates)
@@ -75,8 +77,8 @@ private:
   // A single vertex, or two hull edges: after a merge, those at the two tangents.
   struct Part
   {
-    Index vertex;
-    Index first_hull_edge, last_hull_edge;
+    Vertex_index vertex;
+    Halfedge first_hull_edge, last_hull_edge;
 
     bool is_single() const { return first_hull_edge == null_index; }
   };
@@ -109,7 +111,7 @@ private:
         part = make_part(order, i);
       while (!m_waiting.empty() && m_waiting.back().cut.rank < rank(order, i)) {
         const Waiting_part& before = m_waiting.back();
-        part = merge(before.part, part, before.cut, Index(2 * before.beyond - 2));
+        part = merge(before.part, part, before.cut, Face_index(2 * before.beyond - 2));
         m_waiting.pop_back();
       }
       if (i < beyond)
@@ -194,17 +196,22 @@ private:
 
   // PARTS ---------------------------------------------------------------------------------------
 
-  static Index first_halfedge(Index face) { return Flat_faces_2::first_halfedge(face); }
-  static Index next(Index h) { return Flat_faces_2::next(h); }
-  static Index previous(Index h) { return Flat_faces_2::previous(h); }
+  static Halfedge first_halfedge(Face_index face) { return Flat_faces_2::first_halfedge(face); }
+  static Halfedge next(Halfedge h) { return Flat_faces_2::next(h); }
+  static Halfedge previous(Halfedge h) { return Flat_faces_2::previous(h); }
 
   // The hull edge after h in this direction.
-  Index clockwise(Index h) const { return next(m_faces.twin(next(h))); }
-  Index counterclockwise(Index h) const { return previous(m_faces.twin(previous(h))); }
+  Halfedge clockwise(Halfedge h) const { return next(m_faces.twin(next(h))); }
+  Halfedge counterclockwise(Halfedge h) const { return previous(m_faces.twin(previous(h))); }
 
   static int rank(const Spatial_order_2& order, std::size_t i)
   {
     return i > 0 && i < order.size() ? order.cut(i).rank : (std::numeric_limits<int>::max)();
+  }
+
+  static Vertex_index vertex(const Spatial_order_2& order, std::size_t i)
+  {
+    return Vertex_index(order[i]);
   }
 
   // Makes a part of the i-th point, and of the next one or two if the cuts between them have lower
@@ -214,28 +221,28 @@ private:
     const std::size_t first = i++;
     const int before = rank(order, first), inner = rank(order, i);
     if (i == order.size() || inner > before)
-      return Part{order[first], null_index, null_index};
-    const Index face = Index(2 * first);
+      return Part{vertex(order, first), null_index, null_index};
+    const Face_index face(2 * first);
     const int second = rank(order, i + 1);
     if (i + 1 < order.size() &&
         (std::max)(inner, second) < (std::min)(before, rank(order, i + 2)) &&
-        make_triangle(order[first], order[first + 1], order[first + 2], face)) {
+        make_triangle(vertex(order, first), vertex(order, first + 1), vertex(order, first + 2), face)) {
       i = first + 3;
       return Part{null_index, first_halfedge(face + 1), first_halfedge(face + 3)};
     }
     if (inner > second)
-      return Part{order[first], null_index, null_index};
+      return Part{vertex(order, first), null_index, null_index};
     i = first + 2;
-    return make_edge(order[first], order[first + 1], face);
+    return make_edge(vertex(order, first), vertex(order, first + 1), face);
   }
 
   // Make parts of two and of three points, with an infinite face at every edge.
 
-  Part make_edge(Index a, Index b, Index face)
+  Part make_edge(Vertex_index a, Vertex_index b, Face_index face)
   {
     m_faces.set_vertices(face, infinite_index, a, b);
     m_faces.set_vertices(face + 1, infinite_index, b, a);
-    const Index h = first_halfedge(face), g = first_halfedge(face + 1);
+    const Halfedge h = first_halfedge(face), g = first_halfedge(face + 1);
     m_faces.link(h, g);
     m_faces.link(h + 1, g + 2);
     m_faces.link(h + 2, g + 1);
@@ -243,17 +250,17 @@ private:
   }
 
   // False if the points lie on a line.
-  bool make_triangle(Index a, Index b, Index c, Index face)
+  bool make_triangle(Vertex_index a, Vertex_index b, Vertex_index c, Face_index face)
   {
     const Orientation turn = m_predicates.orientation(a, b, c);
     if (turn == COLLINEAR)
       return false;
     if (turn == RIGHT_TURN)
       std::swap(b, c);
-    const Index corners[] = {a, b, c};
+    const Vertex_index corners[] = {a, b, c};
     m_faces.set_vertices(face, a, b, c);
     for (Index i = 0; i < 3; ++i) {
-      const Index infinite_face = face + 1 + i, next_infinite_face = face + 1 + (i + 2) % 3;
+      const Face_index infinite_face = face + 1 + i, next_infinite_face = face + 1 + (i + 2) % 3;
       m_faces.set_vertices(infinite_face, infinite_index, corners[(i + 2) % 3],
                            corners[(i + 1) % 3]);
       m_faces.link(first_halfedge(face) + i, first_halfedge(infinite_face));
@@ -271,18 +278,18 @@ private:
   // everything is turned by a quarter.
   struct Gap
   {
-    Index left, right;
-    Index base, left_side, right_side;
+    Vertex_index left, right;
+    Halfedge base, left_side, right_side;
   };
 
-  Part merge(Part left, Part right, const Cut_2& cut, Index new_face)
+  Part merge(Part left, Part right, const Cut_2& cut, Face_index new_face)
   {
     if (cut.is_descending)
       std::swap(left, right);
     Gap gap = open(left, right, cut.is_horizontal, new_face);
     close(gap);
     m_faces.set_vertices(new_face + 1, infinite_index, gap.left, gap.right);
-    const Index h = first_halfedge(new_face + 1);
+    const Halfedge h = first_halfedge(new_face + 1);
     m_faces.link(h, gap.base);
     m_faces.link(h + 1, gap.right_side);
     m_faces.link(h + 2, gap.left_side);
@@ -290,10 +297,10 @@ private:
   }
 
   // Finds the lower tangent, and puts an infinite face below it.
-  Gap open(const Part& left, const Part& right, bool is_horizontal, Index face)
+  Gap open(const Part& left, const Part& right, bool is_horizontal, Face_index face)
   {
-    Index l = left.vertex, r = right.vertex; // and from_l, to_r: the hull edges from l and to r
-    Index from_l = null_index, to_r = null_index;
+    Vertex_index l = left.vertex, r = right.vertex; // and from_l, to_r: the hull edges from l and to r
+    Halfedge from_l = null_index, to_r = null_index;
     if (!left.is_single()) {
       from_l = extreme(left, is_horizontal, LARGER);
       l = m_faces.source(from_l);
@@ -316,7 +323,7 @@ private:
       }
     }
     m_faces.set_vertices(face, infinite_index, r, l);
-    const Index h = first_halfedge(face);
+    const Halfedge h = first_halfedge(face);
     Gap gap{l, r, h, h + 1, h + 2};
     if (from_l != null_index) {
       gap.left_side = m_faces.twin(previous(from_l));
@@ -329,7 +336,7 @@ private:
     return gap;
   }
 
-  bool is_right_turn(Index a, Index b, Index c) const
+  bool is_right_turn(Vertex_index a, Vertex_index b, Vertex_index c) const
   {
     return m_predicates.orientation(a, b, c) == RIGHT_TURN;
   }
@@ -338,13 +345,13 @@ private:
   // horizontal cut, the uppermost or lowest one. The search climbs along the hull, from the farther
   // of the part's two hull edges. A convex curve has one summit, as the other coordinate breaks
   // ties.
-  Index extreme(const Part& part, bool is_horizontal, Comparison_result sense) const
+  Halfedge extreme(const Part& part, bool is_horizontal, Comparison_result sense) const
   {
-    const auto is_farther = [&](Index v, Index w) {
+    const auto is_farther = [&](Vertex_index v, Vertex_index w) {
       return (is_horizontal ? m_predicates.compare_yx(v, w) : m_predicates.compare_xy(v, w)) ==
              sense;
     };
-    Index h = part.first_hull_edge;
+    Halfedge h = part.first_hull_edge;
     if (is_farther(m_faces.source(part.last_hull_edge), m_faces.source(h)))
       h = part.last_hull_edge;
     if (is_farther(m_faces.target(h), m_faces.source(h))) {
@@ -352,7 +359,7 @@ private:
         h = clockwise(h);
       while (is_farther(m_faces.target(h), m_faces.source(h)));
     } else {
-      for (Index g = counterclockwise(h); is_farther(m_faces.source(g), m_faces.source(h));
+      for (Halfedge g = counterclockwise(h); is_farther(m_faces.source(g), m_faces.source(h));
            g = counterclockwise(h))
         h = g;
     }
@@ -380,14 +387,14 @@ private:
     }
   }
 
-  bool is_above(const Gap& gap, Index v) const
+  bool is_above(const Gap& gap, Vertex_index v) const
   {
     return v != gap.left && v != gap.right &&
            m_predicates.orientation(gap.left, gap.right, v) == LEFT_TURN;
   }
 
   // Whether w is inside the circle through the base and v.
-  bool is_inside(const Gap& gap, Index v, Index w) const
+  bool is_inside(const Gap& gap, Vertex_index v, Vertex_index w) const
   {
     return m_predicates.side_of_circle(gap.left, gap.right, v, w) == ON_POSITIVE_SIDE;
   }
@@ -397,8 +404,8 @@ private:
   void remove_left_edges(Gap& gap)
   {
     for (;;) {
-      const Index h = previous(gap.left_side), g = m_faces.twin(h);
-      const Index v = m_faces.apex(gap.left_side), w = m_faces.apex(g);
+      const Halfedge h = previous(gap.left_side), g = m_faces.twin(h);
+      const Vertex_index v = m_faces.apex(gap.left_side), w = m_faces.apex(g);
       if (w == infinite_index || !is_inside(gap, v, w))
         return;
       m_faces.link(h, m_faces.twin(next(g)));
@@ -412,8 +419,8 @@ private:
   void remove_right_edges(Gap& gap)
   {
     for (;;) {
-      const Index h = next(gap.right_side), g = m_faces.twin(h);
-      const Index v = m_faces.apex(gap.right_side), w = m_faces.apex(g);
+      const Halfedge h = next(gap.right_side), g = m_faces.twin(h);
+      const Vertex_index v = m_faces.apex(gap.right_side), w = m_faces.apex(g);
       if (w == infinite_index || !is_inside(gap, v, w))
         return;
       m_faces.link(h, m_faces.twin(previous(g)));
@@ -427,7 +434,8 @@ private:
   // The infinite face at the hull edge on the left becomes (right, v, left).
   void take_left(Gap& gap)
   {
-    const Index v = m_faces.apex(gap.left_side), h = previous(gap.left_side);
+    const Vertex_index v = m_faces.apex(gap.left_side);
+    const Halfedge h = previous(gap.left_side);
     m_faces.set_apex(h, gap.right);
     m_faces.link(gap.left_side, gap.base);
     gap.base = previous(h);
@@ -437,7 +445,8 @@ private:
 
   void take_right(Gap& gap)
   {
-    const Index v = m_faces.apex(gap.right_side), h = next(gap.right_side);
+    const Vertex_index v = m_faces.apex(gap.right_side);
+    const Halfedge h = next(gap.right_side);
     m_faces.set_apex(h, gap.left);
     m_faces.link(gap.right_side, gap.base);
     gap.base = next(h);

@@ -48,8 +48,8 @@ void for_each_in_rounds(std::size_t n, Function&& f)
 template <class Traits>
 class Static_triangulation_2
 {
-  using Vb = Triangulation_vertex_base_with_info_2<Index, Traits>;
-  using Fb = Triangulation_face_base_with_info_2<Index, Traits>;
+  using Vb = Triangulation_vertex_base_with_info_2<Vertex_index, Traits>;
+  using Fb = Triangulation_face_base_with_info_2<Face_index, Traits>;
   using Tds = Triangulation_data_structure_2<Vb, Fb>;
 
 public:
@@ -76,7 +76,7 @@ public:
   }
 
   // Inserts a vertex at p with this number, by flips.
-  void insert(const Point& p, Index number)
+  void insert(const Point& p, Vertex_index number)
   {
     take(m_last == Vertex_handle() ? m_triangulation.insert(p)
                                    : m_triangulation.insert(p, m_last->face()),
@@ -84,7 +84,7 @@ public:
   }
 
   // Inserts a vertex at p with this number, by a star that replaces the faces in conflict with p.
-  void insert_star(const Point& p, Index number)
+  void insert_star(const Point& p, Vertex_index number)
   {
     if (m_triangulation.dimension() < 2)
       return insert(p, number);
@@ -98,7 +98,7 @@ public:
   }
 
 private:
-  void take(Vertex_handle vertex, Index number)
+  void take(Vertex_handle vertex, Vertex_index number)
   {
     vertex->info() = number;
     m_last = vertex;
@@ -139,9 +139,9 @@ public:
     case Static_engine_2::GUIBAS_STOLFI:
       return m_guibas_stolfi.run(order, companion);
     case Static_engine_2::INSERTION:
-      return insert(order, [this](const auto& p, Index v) { m_triangulation.insert(p, v); });
+      return insert(order, [this](const auto& p, Vertex_index v) { m_triangulation.insert(p, v); });
     case Static_engine_2::BOWYER_WATSON:
-      return insert(order, [this](const auto& p, Index v) { m_triangulation.insert_star(p, v); });
+      return insert(order, [this](const auto& p, Vertex_index v) { m_triangulation.insert_star(p, v); });
     }
   }
 
@@ -161,8 +161,10 @@ private:
   void insert(const Spatial_order_2& order, const Insert& insert)
   {
     m_triangulation.clear();
-    for_each_in_rounds(order.size(),
-                       [&](std::size_t i) { insert(m_state.point(order[i]), order[i]); });
+    for_each_in_rounds(order.size(), [&](std::size_t i) {
+      const Vertex_index v(order[i]);
+      insert(m_state.point(v), v);
+    });
     copy_faces();
     m_triangulation.clear(); // allocates memory, and may throw
   }
@@ -172,7 +174,7 @@ private:
     m_faces.resize(0);
     if (m_triangulation.triangulation().dimension() < 2)
       return;
-    Index number = 0;
+    Face_index number(0);
     for (auto f = m_triangulation.faces().begin(); f != m_triangulation.faces().end(); ++f)
       f->info() = number++;
     m_faces.resize(number);
@@ -181,7 +183,7 @@ private:
         const auto g = f->neighbor(i);
         // like g->index(f), but without a branch
         const Index place = Index(g->neighbor(1) == f) + 2 * Index(g->neighbor(2) == f);
-        const Index h = Flat_faces_2::first_halfedge(f->info()) + Index(i);
+        const Flat_halfedge_index h = Flat_faces_2::first_halfedge(f->info()) + i;
         m_faces.set_apex(h, f->vertex(i)->info());
         m_faces.set_twin(h, Flat_faces_2::first_halfedge(g->info()) + place);
       }

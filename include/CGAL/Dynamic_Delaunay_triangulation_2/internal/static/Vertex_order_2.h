@@ -37,7 +37,7 @@ public:
       m_order.template sort<Parts>(m_state.positions(), first, beyond);
     else
       m_order.sort_by_comparisons(first, beyond, [this](Index v, Index w) {
-        return m_predicates.compare_xy(v, w) == SMALLER;
+        return m_predicates.compare_xy(Vertex_index(v), Vertex_index(w)) == SMALLER;
       });
   }
 
@@ -48,8 +48,9 @@ public:
   // Whether vertices coincide. Those that do are consecutive.
   bool has_coincident_vertices() const
   {
-    return !m_order.template are_distinct<Parts>(
-        [this](Index v, Index w) { return m_predicates.coincide(v, w); });
+    return !m_order.template are_distinct<Parts>([this](Index v, Index w) {
+      return m_predicates.coincide(Vertex_index(v), Vertex_index(w));
+    });
   }
 
   // Calls f(v, w) for every vertex w that coincides with earlier ones, of which v is the first.
@@ -57,8 +58,8 @@ public:
   void for_each_coincident_pair(const Function& f) const
   {
     for (std::size_t first = 0, i = 1; i < m_order.size(); ++i)
-      if (m_predicates.coincide(m_order[i - 1], m_order[i]))
-        f(m_order[first], m_order[i]);
+      if (m_predicates.coincide(vertex(i - 1), vertex(i)))
+        f(vertex(first), vertex(i));
       else
         first = i;
   }
@@ -78,6 +79,8 @@ public:
   void release() { m_order.release(); }
 
 private:
+  Vertex_index vertex(std::size_t i) const { return Vertex_index(m_order[i]); }
+
   const State& m_state;
   Vertex_predicates_2<State> m_predicates;
   Spatial_order_2 m_order;

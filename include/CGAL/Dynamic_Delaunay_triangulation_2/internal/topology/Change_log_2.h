@@ -17,8 +17,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 struct Change_log_2
 {
   bool everything_is_new = true;
-  std::vector<Index> new_edges;
-  std::vector<Index> relocated; // vertices put into other faces, or given by another image
+  std::vector<Edge_index> new_edges;
+  std::vector<Vertex_index> relocated; // vertices put into other faces, or given by another image
   Renumberings renumberings;    // meaningless if everything is new
 
   void clear()

@@ -46,11 +46,14 @@ public:
   }
 
   // Without comparisons, for which compilers write branches that processors cannot predict.
-  static Halfedge_index next(Halfedge_index h) { return h + 1 - 3 * (h % 3 / 2); }
-  static Halfedge_index previous(Halfedge_index h) { return h + 2 - 3 * ((h % 3 + 1) / 2); }
-  static Face_index face_of(Halfedge_index h) { return h / 3; }
+  static Halfedge_index next(Halfedge_index h) { return Halfedge_index(h + 1 - 3 * (h % 3 / 2)); }
+  static Halfedge_index previous(Halfedge_index h)
+  {
+    return Halfedge_index(h + 2 - 3 * ((h % 3 + 1) / 2));
+  }
+  static Face_index face_of(Halfedge_index h) { return Face_index(h / 3); }
   // The half-edge opposite to the i-th vertex of face f; and the i of half-edge h.
-  static Halfedge_index halfedge_in(Face_index f, Index i) { return 3 * f + i; }
+  static Halfedge_index halfedge_in(Face_index f, Index i) { return Halfedge_index(3 * f + i); }
   static Index place_of(Halfedge_index h) { return h % 3; }
   static std::array<Halfedge_index, 3> halfedges_of(Face_index f)
   {
@@ -73,7 +76,7 @@ public:
   Halfedge_index halfedge(Edge_index edge) const { return m_halfedge_of_edge[edge]; }
   const Edge_2& edge(Edge_index e) const { return m_edges[e]; }
   const std::vector<Edge_2>& edges() const { return m_edges; }
-  std::array<Index, 3> face(Face_index f) const
+  std::array<Vertex_index, 3> face(Face_index f) const
   {
     return {apex(halfedge_in(f, 0)), apex(halfedge_in(f, 1)), apex(halfedge_in(f, 2))};
   }
@@ -124,7 +127,7 @@ public:
   template <class Function>
   void for_each_corner(Vertex_index v, Function&& f) const
   {
-    const Index first = m_corner[v];
+    const Halfedge_index first = m_corner[v];
     Halfedge_index h = first;
     do {
       f(h);
@@ -143,7 +146,7 @@ public:
   Index degree(Vertex_index v) const
   {
     Index degree = 0;
-    for_each_corner(v, [&](Index) { ++degree; });
+    for_each_corner(v, [&](Halfedge_index) { ++degree; });
     return degree;
   }
 
@@ -154,7 +157,8 @@ public:
   {
     const Halfedge_index g = twin(h);
     const Vertex_index a = apex(h), d = apex(g);
-    Index i = next_corner(h), j = previous_corner(h), k = next_corner(g), l = previous_corner(g);
+    Halfedge_index i = next_corner(h), j = previous_corner(h);
+    Halfedge_index k = next_corner(g), l = previous_corner(g);
     while (true) {
       if (apex(next(i)) == d || apex(next(j)) == d || apex(next(k)) == a || apex(next(l)) == a)
         return true;
@@ -172,7 +176,7 @@ public:
   // Whether an edge joins v and w. Walks around both in step, as are_apexes_neighbors() does.
   bool are_neighbors(Vertex_index v, Vertex_index w) const
   {
-    Index i = corner(v), k = corner(w);
+    Halfedge_index i = corner(v), k = corner(w);
     do {
       if (apex(next(i)) == w || apex(next(k)) == v)
         return true;
@@ -212,10 +216,10 @@ protected:
     Edge_index edge;
   };
 
-  Uninitialized_vector<Halfedge> m_halfedges;
-  std::vector<Edge_2> m_edges;
-  Uninitialized_vector<Index> m_halfedge_of_edge;
-  std::vector<Index> m_corner;
+  Column<Halfedge_index, Halfedge, Uninitialized_vector<Halfedge>> m_halfedges;
+  Column<Edge_index, Edge_2> m_edges;
+  Column<Edge_index, Halfedge_index, Uninitialized_vector<Halfedge_index>> m_halfedge_of_edge;
+  Column<Vertex_index, Halfedge_index> m_corner;
 };
 
 } // namespace internal

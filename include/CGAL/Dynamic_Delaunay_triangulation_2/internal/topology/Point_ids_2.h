@@ -41,12 +41,12 @@ public:
   Index number_of_representatives() const { return Index(m_representative.size()) - 1; }
   bool is_taken(std::size_t id) const
   {
-    return id < m_vertex_of_id.size() && m_vertex_of_id[id] != null_index;
+    return id < m_vertex_of_id.size() && m_vertex_of_id[Point_id(id)] != null_index;
   }
   Vertex_index vertex(Point_id id) const { return m_vertex_of_id[id]; }
   Point_id representative(Vertex_index vertex) const { return m_representative[vertex]; }
   // Indexed by vertices.
-  const Index* representatives() const { return m_representative.data(); }
+  const Point_id* representatives() const { return m_representative.data(); }
   // The id must be taken.
   bool is_representative(Point_id id) const { return m_representative[m_vertex_of_id[id]] == id; }
   const std::vector<Duplicate>& duplicates() const { return m_duplicates; }
@@ -56,16 +56,16 @@ public:
   Duplicate& duplicate(Point_id id) { return *find_duplicate(m_duplicates, id); }
 
   // The ids of all points: the representatives in the order of their vertices, then the duplicates.
-  std::vector<Index> representatives_and_duplicates() const
+  std::vector<Point_id> representatives_and_duplicates() const
   {
-    std::vector<Index> order(m_representative.begin() + 1, m_representative.end());
+    std::vector<Point_id> order(m_representative.begin() + 1, m_representative.end());
     for (const Duplicate& duplicate : m_duplicates)
       order.push_back(duplicate.id);
     return order;
   }
 
   // Lists the ids that the next points get, in this order. Cost: n log n for n ids.
-  void list_next_ids(std::size_t number, std::vector<Index>& ids) const
+  void list_next_ids(std::size_t number, std::vector<Point_id>& ids) const
   {
     ids.clear();
     const auto comes_later = [this](std::size_t i, std::size_t j) {
@@ -92,17 +92,17 @@ public:
       consider(2 * place + 1);
       consider(2 * place + 2);
     }
-    for (Point_id id = number_of_ids(); ids.size() < number; ++id)
+    for (Point_id id(number_of_ids()); ids.size() < number; ++id)
       ids.push_back(id);
   }
 
   // Returns the ids that the next points get if the ids in `gone` are freed first.
-  std::vector<Index> next_ids(std::size_t number, std::vector<Index> gone) const
+  std::vector<Point_id> next_ids(std::size_t number, std::vector<Point_id> gone) const
   {
-    std::vector<Index> free;
+    std::vector<Point_id> free;
     list_next_ids(number, free);
     std::sort(gone.begin(), gone.end());
-    std::vector<Index> ids(free.size() + gone.size());
+    std::vector<Point_id> ids(free.size() + gone.size());
     std::merge(free.begin(), free.end(), gone.begin(), gone.end(), ids.begin());
     ids.resize(number);
     return ids;
@@ -120,9 +120,9 @@ public:
   }
 
   // Makes `id` the representative of the next vertex.
-  Index add_representative(Point_id id)
+  Vertex_index add_representative(Point_id id)
   {
-    m_vertex_of_id[id] = Index(m_representative.size());
+    m_vertex_of_id[id] = Vertex_index(m_representative.size());
     m_representative.push_back(id);
     return m_vertex_of_id[id];
   }
@@ -135,7 +135,7 @@ public:
     m_representative[vertex] = id;
   }
 
-  void add_duplicate(Point_id id, Index representative, const Point& point)
+  void add_duplicate(Point_id id, Point_id representative, const Point& point)
   {
     m_vertex_of_id[id] = m_vertex_of_id[representative];
     m_duplicates.push_back(Duplicate{id, point});
@@ -147,7 +147,7 @@ public:
     const auto comes_before = [](const Duplicate& g, const Duplicate& h) { return g.id < h.id; };
     if (!std::is_sorted(m_duplicates.begin(), m_duplicates.end(), comes_before))
       std::sort(m_duplicates.begin(), m_duplicates.end(), comes_before);
-    for (Point_id id = 0; id < number_of_ids(); ++id)
+    for (Point_id id(0); id < number_of_ids(); ++id)
       if (m_vertex_of_id[id] == null_index)
         m_free_ids.push_back(id); // ascending numbers are a heap
   }
@@ -155,7 +155,7 @@ public:
   // INSERTION AND REMOVAL -------------------------------------------------------------------------
 
   // Reserves the next ids for points to be inserted. If it throws, nothing has changed.
-  void reserve(const std::vector<Index>& next_ids)
+  void reserve(const std::vector<Point_id>& next_ids)
   {
     reserve_extra(m_free_ids, next_ids.size());
     reserve_extra(m_vertex_of_id, next_ids.size());
@@ -217,7 +217,7 @@ public:
 
   // The smallest id of the duplicates at `vertex` for which `pleases` is true, or `null_index`.
   template <class Predicate>
-  Index find_duplicate_at(Vertex_index vertex, const Predicate& pleases) const
+  Point_id find_duplicate_at(Vertex_index vertex, const Predicate& pleases) const
   {
     for (const Duplicate& duplicate : m_duplicates)
       if (m_vertex_of_id[duplicate.id] == vertex && pleases(duplicate))
@@ -227,7 +227,7 @@ public:
 
   // Makes a duplicate the representative of its vertex, and the representative, whose point is
   // `point`, a duplicate.
-  void exchange_representative(Index duplicate, const Point& point)
+  void exchange_representative(Point_id duplicate, const Point& point)
   {
     const Vertex_index vertex = m_vertex_of_id[duplicate];
     const Point_id representative = m_representative[vertex];
@@ -239,7 +239,7 @@ public:
 
   // Makes the representative and the duplicates of vertex `other` duplicates at `vertex`. `point`
   // is the representative's point.
-  void merge(Index other, Vertex_index vertex, const Point& point)
+  void merge(Vertex_index other, Vertex_index vertex, const Point& point)
   {
     for (const Duplicate& duplicate : m_duplicates)
       if (m_vertex_of_id[duplicate.id] == other)
@@ -253,7 +253,7 @@ public:
   // Moves the points of the last vertex to `vertex`, which must have none, and drops the last one.
   void move_last_vertex_to(Vertex_index vertex)
   {
-    const Index last = number_of_representatives();
+    const Vertex_index last(number_of_representatives());
     CGAL_precondition(!has_representative(vertex));
     if (vertex != last) {
       m_representative[vertex] = m_representative[last];
@@ -271,7 +271,7 @@ private:
   static auto find_duplicate(Duplicates& duplicates, Point_id id)
   {
     return std::lower_bound(duplicates.begin(), duplicates.end(), id,
-                            [](const Duplicate& duplicate, Index i) { return duplicate.id < i; });
+                            [](const Duplicate& duplicate, Point_id i) { return duplicate.id < i; });
   }
 
   // Removes a duplicate from its vertex. A reserved id has no vertex to leave.
@@ -287,10 +287,10 @@ private:
     release(id);
   }
 
-  std::vector<Index> m_vertex_of_id; // null_index for free ids
-  std::vector<Index> m_representative;
+  Column<Point_id, Vertex_index> m_vertex_of_id; // null_index for free ids
+  Column<Vertex_index, Point_id> m_representative;
   std::vector<Duplicate> m_duplicates; // sorted by id
-  std::vector<Index> m_free_ids;       // a heap, the smallest on top
+  std::vector<Point_id> m_free_ids;       // a heap, the smallest on top
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -56,7 +56,7 @@ public:
     Index before, tip, after;
   };
 
-  Index center() const { return m_center; }
+  Vertex_index center() const { return m_center; }
   const Kept_list<Side>& sides() const { return m_sides; }
   const Kept_list<Ear>& ears() const { return m_ears; }
   bool is_triangulated() const { return m_ears.size() + 2 == m_sides.size(); }
@@ -64,8 +64,8 @@ public:
   // Whether there are as many faces() and edges() as sides, which putting the center in needs.
   bool has_star() const { return m_faces.size() == m_sides.size(); }
   // The faces inside of the polygon, and the edges between them.
-  const Kept_list<Index>& faces() const { return m_faces; }
-  const Kept_list<Index>& edges() const { return m_edges; }
+  const Kept_list<Face_index>& faces() const { return m_faces; }
+  const Kept_list<Edge_index>& edges() const { return m_edges; }
 
   // THE POLYGON -----------------------------------------------------------------------------------
 
@@ -236,7 +236,7 @@ private:
     return false;
   }
 
-  void clear(Index center)
+  void clear(Vertex_index center)
   {
     m_center = center;
     m_sides.clear();
@@ -261,7 +261,7 @@ private:
   {
     if (last - first < 2)
       return;
-    const Vertex_index apex = find_apex(predicates, first, last);
+    const Index apex = find_apex(predicates, first, last);
     divide(predicates, first, apex);
     divide(predicates, apex, last);
     m_ears.push_back({first, apex, last});
@@ -275,7 +275,7 @@ private:
     const auto is_on_left = [&](const Site& corner) {
       return predicates.orientation(source, target, corner) == LEFT_TURN;
     };
-    Vertex_index apex = first + 1;
+    Index apex = first + 1;
     while (apex + 1 < last && !is_on_left(m_sides[apex].corner))
       ++apex;
     for (Index i = apex + 1; i < last; ++i) {
@@ -358,14 +358,15 @@ private:
     return !state.are_neighbors(before, after);
   }
 
-  Index m_center = null_index;
+  Vertex_index m_center = null_index;
   Kept_list<Side> m_sides;
-  Kept_list<Index> m_faces, m_edges;
+  Kept_list<Face_index> m_faces;
+  Kept_list<Edge_index> m_edges;
   Kept_list<Open> m_open;
   Kept_list<Ear> m_ears;
   std::vector<Links> m_links;   // of the corners that are left
   Index m_last = 0;             // one of these corners
-  std::vector<Index> m_numbers; // sorted
+  std::vector<Index> m_numbers; // of faces or vertices, sorted
 };
 
 // Writes the faces inside of a star polygon, for the editors of all spaces. `set_corner(h, corner)`
@@ -442,7 +443,7 @@ public:
     const auto& edges = polygon.edges();
     for (std::size_t i = 0; i + 3 < edges.size(); ++i)
       f(edges[i]);
-    const Index last = polygon.faces()[polygon.ears().size() - 1];
+    const Face_index last = polygon.faces()[polygon.ears().size() - 1];
     for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(last))
       f(m_arrays.edge_of(h));
   }

@@ -40,8 +40,8 @@ struct Boundary_edge_2
 // face, as in the arrays. Half-edges on the boundary have no twin.
 struct Patch_2
 {
-  std::vector<Index> apexes;
-  std::vector<Index> twins;
+  Column<Halfedge_index, Vertex_index> apexes;
+  Column<Halfedge_index, Halfedge_index> twins;
   std::vector<Boundary_edge_2> boundary; // sorted by source, then target
 
   Index number_of_faces() const { return Index(apexes.size() / 3); }
@@ -57,7 +57,7 @@ struct Patch_2
   {
     using Arrays = Halfedge_arrays_2;
     boundary.clear();
-    for (Halfedge_index h = 0; h < Index(twins.size()); ++h)
+    for (Halfedge_index h(0); h < Index(twins.size()); ++h)
       if (twins[h] == null_index)
         boundary.push_back({apexes[Arrays::next(h)], apexes[Arrays::previous(h)], h});
     std::sort(boundary.begin(), boundary.end());
@@ -120,7 +120,7 @@ public:
   void note_everything_is_new() { m_changes.everything_is_new = true; }
 
   // Reports examined edges to a heuristic classifier as if they were new.
-  void note_examined(const std::vector<Index>& edges)
+  void note_examined(const std::vector<Edge_index>& edges)
   {
     m_changes.new_edges.insert(m_changes.new_edges.end(), edges.begin(), edges.end());
   }
@@ -190,7 +190,8 @@ public:
 
   // Replaces `old_faces` by the faces of `patch`. Both have equal numbers of faces and equal
   // boundaries. The half-edge outside the i-th edge of the patch's boundary is `outside[i]`.
-  void replace(const Index_set& old_faces, const Patch_2& patch, const std::vector<Index>& outside)
+  void replace(const Index_set<Face_index>& old_faces, const Patch_2& patch,
+               const std::vector<Halfedge_index>& outside)
   {
     CGAL_precondition(old_faces.size() == patch.number_of_faces());
     CGAL_precondition(outside.size() == patch.boundary.size());
@@ -203,15 +204,15 @@ public:
       return Halfedge_arrays_2::halfedge_in(old_faces[Halfedge_arrays_2::face_of(h)],
                                             Halfedge_arrays_2::place_of(h));
     };
-    for (Halfedge_index h = 0; h < Index(patch.apexes.size()); ++h)
+    for (Halfedge_index h(0); h < Index(patch.apexes.size()); ++h)
       m_arrays.set_apex(global(h), patch.apexes[h]);
-    for (Halfedge_index h = 0; h < Index(patch.twins.size()); ++h)
+    for (Halfedge_index h(0); h < Index(patch.twins.size()); ++h)
       if (patch.twins[h] != null_index && h < patch.twins[h])
         m_arrays.link(global(h), global(patch.twins[h]));
     for (std::size_t i = 0; i < outside.size(); ++i)
       m_arrays.link(global(patch.boundary[i].halfedge), outside[i]);
     auto edge = m_inner_edges.begin();
-    for (Halfedge_index h = 0; h < Index(patch.twins.size()); ++h)
+    for (Halfedge_index h(0); h < Index(patch.twins.size()); ++h)
       if (patch.twins[h] != null_index && h < patch.twins[h])
         m_arrays.set_edge(*edge++, global(h));
     for (const Halfedge_index h : outside)
@@ -221,12 +222,12 @@ public:
   }
 
   // Prefetch what replace() will write: first these faces and, some time later, their edges.
-  void prefetch(const std::vector<Index>& faces) const
+  void prefetch(const std::vector<Face_index>& faces) const
   {
     for (const Face_index f : faces)
       m_arrays.prefetch_face(Halfedge_arrays_2::halfedge_in(f, 0));
   }
-  void prefetch_edges(const std::vector<Index>& faces) const
+  void prefetch_edges(const std::vector<Face_index>& faces) const
   {
     for (const Face_index f : faces)
       for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(f))
@@ -277,7 +278,7 @@ public:
   }
 
   // Takes out the polygon's center. Its points, which are at p, become duplicates at `stays`.
-  Slot merge(const Polygon& polygon, Index stays, const Point& p)
+  Slot merge(const Polygon& polygon, Vertex_index stays, const Point& p)
   {
     return take_out(polygon, [&] { hand_points_to(stays, polygon.center(), p); });
   }
@@ -314,7 +315,7 @@ public:
     }
     for (const Edge_index e : slot.edges)
       m_editing.after_edge(e);
-    for (const Face_index f : {Face_index(place.face), slot.faces[0], slot.faces[1]})
+    for (const Face_index f : {place.face, slot.faces[0], slot.faces[1]})
       m_editing.after_face(f);
   }
 
@@ -373,12 +374,12 @@ public:
     const std::size_t kept_edges = m_arrays.number_of_edges() - m_empty_edges.size();
     m_number_of_edge.assign(m_empty_edges.size(), null_index); // of the edges from `kept_edges` on
     m_changes.renumberings.reserve_for_removals(empty_slots.size());
-    const auto note = [&](Index from, Index to) { m_number_of_edge[from - kept_edges] = to; };
+    const auto note = [&](Edge_index from, Edge_index to) { m_number_of_edge[from - kept_edges] = to; };
     drop_collected(note); // nothing throws from here on
     auto& new_edges = m_changes.new_edges;
     if (m_changes.everything_is_new) // some of these numbers can no longer be traced
       return new_edges.clear();
-    for (Index& e : new_edges)
+    for (Edge_index& e : new_edges)
       while (e != null_index && e >= kept_edges)
         e = m_number_of_edge[e - kept_edges];
     new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), null_index), new_edges.end());
@@ -389,7 +390,7 @@ public:
   {
     m_changes.everything_is_new = true;
     collect_numbers(empty_slots);
-    drop_collected([](Index, Index) {});
+    drop_collected([](Edge_index, Edge_index) {});
   }
 
   // Reserves memory to put so many vertices into faces, or to drop their slots, after memory has
@@ -406,7 +407,7 @@ public:
 
   // Reserves the next ids, as given by `Point_ids_2::list_next_ids()`, for points to be inserted.
   // If it throws, nothing has changed. `release_id()` returns an id that was not used.
-  void reserve_ids(const std::vector<Index>& ids) { m_ids.reserve(ids); }
+  void reserve_ids(const std::vector<Point_id>& ids) { m_ids.reserve(ids); }
   void release_id(Point_id id) { m_ids.release(id); }
 
   // Reserve memory. Then remove_duplicate(), place_duplicate(), put_in() and hand_points_to() throw
@@ -446,7 +447,7 @@ public:
   }
 
   // Makes the points of vertex `goes`, which are at p, duplicates at vertex `stays`.
-  void hand_points_to(Index stays, Index goes, const Point& p)
+  void hand_points_to(Vertex_index stays, Vertex_index goes, const Point& p)
   {
     m_editing.before_vertex_merge(goes, stays);
     m_ids.merge(goes, stays, p);
@@ -454,10 +455,10 @@ public:
 
   // Makes a duplicate at v the representative, so that v gets its point. The former representative
   // becomes a duplicate at p. If it throws, nothing has changed.
-  void exchange_representative(Index duplicate, Vertex_index v, const Point& p)
+  void exchange_representative(Point_id duplicate, Vertex_index v, const Point& p)
   {
     m_editing.reserve_for_id_change(v);
-    const Index representative = m_ids.representative(v);
+    const Point_id representative = m_ids.representative(v);
     const Point point = m_ids.duplicate(duplicate).point;
     const Position_2 before = m_state.positions()[v];
     m_editing.before_id_change(v);
@@ -468,7 +469,7 @@ public:
 
   // Moves single points. If points of a vertex stay, one of them becomes its representative.
   // Otherwise the vertex moves with its representative.
-  void move(const std::vector<Index>& ids, const std::vector<Point>& points, bool are_exact)
+  void move(const std::vector<Point_id>& ids, const std::vector<Point>& points, bool are_exact)
   {
     m_positions.note_exactness(are_exact);
     if (ids.empty())
@@ -528,7 +529,7 @@ private:
   void move_representative(Point_id id, const Point& p)
   {
     const Vertex_index v = m_ids.vertex(id);
-    const Index successor = m_ids.duplicates().empty() || m_state.is_at(p, v)
+    const Point_id successor = m_ids.duplicates().empty() || m_state.is_at(p, v)
                                 ? null_index
                                 : m_ids.find_duplicate_at(v, [&](const auto& duplicate) {
                                     return m_state.is_at(duplicate.point, v);
@@ -602,8 +603,12 @@ private:
       for (const Edge_index e : slot.edges)
         m_empty_edges.push_back(e);
     }
-    for (std::vector<Index>* numbers : {&m_empty_vertices, &m_empty_faces, &m_empty_edges})
-      std::sort(numbers->begin(), numbers->end(), std::greater<Index>());
+    const auto sort = [](auto& numbers) {
+      std::sort(numbers.begin(), numbers.end(), std::greater<Index>());
+    };
+    sort(m_empty_vertices);
+    sort(m_empty_faces);
+    sort(m_empty_edges);
   }
 
   // Removes the collected elements. Calls `note(from, to)` when edge `from` takes the number `to`.
@@ -614,12 +619,12 @@ private:
     const bool are_noted = !m_changes.everything_is_new;
     for (const Face_index f : m_empty_faces) {
       if (are_noted)
-        renumberings.faces.note_move(m_arrays.number_of_faces() - 1, f);
+        renumberings.faces.note_move(Face_index(m_arrays.number_of_faces() - 1), f);
       m_arrays.move_last_face_to(f);
       m_editing.move_last_face_data_to(f);
     }
     for (const Edge_index e : m_empty_edges) {
-      const Index last = m_arrays.number_of_edges() - 1;
+      const Edge_index last(m_arrays.number_of_edges() - 1);
       if (are_noted)
         renumberings.edges.note_move(last, e);
       if (last != e)
@@ -628,7 +633,7 @@ private:
     }
     for (const Vertex_index v : m_empty_vertices) {
       if (are_noted)
-        renumberings.vertices.note_move(m_state.number_of_vertices(), v);
+        renumberings.vertices.note_move(Vertex_index(m_state.number_of_vertices()), v);
       m_arrays.move_last_vertex_to(v);
       m_ids.move_last_vertex_to(v);
       m_positions.move_last_to(v);
@@ -638,7 +643,7 @@ private:
 
   // REPLACING -----------------------------------------------------------------------------------
 
-  void collect_inner_edges(const Index_set& faces)
+  void collect_inner_edges(const Index_set<Face_index>& faces)
   {
     m_inner_edges.clear();
     for (const Face_index f : faces)
@@ -652,7 +657,7 @@ private:
   // The flips in a part: the new edges, and the changes that the visitor has to be told.
   struct Flips_of_part
   {
-    std::vector<Index> edges;
+    std::vector<Edge_index> edges;
     typename Editing::Log log;
   };
 
@@ -687,10 +692,12 @@ private:
   Positions& m_positions;
   Change_log_2& m_changes;
   Star_writer_2<State> m_star_writer;
-  std::vector<Index> m_inner_edges;
+  std::vector<Edge_index> m_inner_edges;
   std::vector<Flips_of_part> m_flips_of_parts;
-  std::vector<Index> m_empty_vertices, m_empty_faces, m_empty_edges; // to be dropped
-  std::vector<Index> m_number_of_edge;                               // in drop(): new numbers
+  std::vector<Vertex_index> m_empty_vertices; // to be dropped, like the following
+  std::vector<Face_index> m_empty_faces;
+  std::vector<Edge_index> m_empty_edges;
+  std::vector<Edge_index> m_number_of_edge; // in drop(): new numbers
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -54,7 +54,7 @@ public:
   }
 
   // Prefetches a later edge of the list, for a pass that calls part_of() and is_inside().
-  void prefetch_some(const std::vector<Index>& edges, std::size_t i) const
+  void prefetch_some(const std::vector<Edge_index>& edges, std::size_t i) const
   {
     constexpr std::size_t ahead = 16;
     if (i + ahead < edges.size())

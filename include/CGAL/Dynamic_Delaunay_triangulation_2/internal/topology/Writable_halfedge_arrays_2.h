@@ -82,7 +82,7 @@ public:
   {
     resize(vertices, faces);
     Parts::for_each_element(faces, [&](std::size_t number) {
-      const Face_index f = Index(number);
+      const Face_index f(number);
       for (Index i = 0; i < 3; ++i) {
         const Halfedge_index h = halfedge_in(f, i);
         const auto [apex, twin] = apex_and_twin(f, i);
@@ -101,7 +101,7 @@ public:
   {
     m_edges.resize(m_halfedges.size() / 2);
     m_halfedge_of_edge.resize(m_halfedges.size() / 2);
-    for (Halfedge_index h = 0; h < Index(m_halfedges.size()); ++h) {
+    for (Halfedge_index h(0); h < Index(m_halfedges.size()); ++h) {
       for (const Halfedge_index g : halfedges_of(face_of(m_halfedges[h].twin)))
         if (source(g) == target(h)) // and then target(g) == source(h), as neighbors share an edge
           m_halfedges[h].twin = g;
@@ -120,28 +120,29 @@ public:
   {
     const std::size_t halfedges = m_halfedges.size(), vertices = m_corner.size();
     if (!Parts::are_shared(Parts::number(halfedges))) {
-      for (Halfedge_index h = 0; h < halfedges; ++h)
+      for (Halfedge_index h(0); h < halfedges; ++h)
         m_corner[apex(h)] = h;
       return;
     }
     constexpr std::size_t few_parts = 16;
     const std::size_t least = (std::max)(Parts::usual_size, halfedges / few_parts);
     const std::size_t parts = Parts::number(halfedges, least);
-    std::array<Index, Parts::max_parts> left_over;
+    std::array<Halfedge_index, Parts::max_parts> left_over;
     Parts::for_each(halfedges, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
       const std::size_t low = Parts::begin(part, parts, vertices),
                         high = Parts::begin(part + 1, parts, vertices);
       left_over[part] = null_index;
-      for (Halfedge_index h = Index(first); h < beyond; ++h)
+      for (Halfedge_index h(first); h < beyond; ++h)
         if (apex(h) >= low && apex(h) < high)
           m_corner[apex(h)] = h;
         else
-          m_halfedges[h].edge = Index(std::exchange(left_over[part], Index(h))); // the next one
+          m_halfedges[h].edge = Edge_index(Index(std::exchange(left_over[part], h))); // the next one
     });
     for (std::size_t part = 0; part < parts; ++part)
-      for (Halfedge_index h = left_over[part]; h != null_index; h = Index(edge_of(h))) {
-        Index& corner = m_corner[apex(h)];
-        corner = corner == null_index ? Index(h) : (std::max)(corner, Index(h));
+      for (Halfedge_index h = left_over[part]; h != null_index;
+           h = Halfedge_index(Index(edge_of(h)))) {
+        Halfedge_index& corner = m_corner[apex(h)];
+        corner = corner == null_index ? h : (std::max)(corner, h);
       }
   }
 
@@ -151,30 +152,30 @@ public:
   {
     const std::size_t halfedges = m_halfedges.size();
     if (!Parts::are_shared(Parts::number(halfedges)))
-      return number_edges_of(0, Index(halfedges), 0);
-    std::array<Index, Parts::max_parts> edges;
+      return number_edges_of(Halfedge_index(0), Halfedge_index(halfedges), Edge_index(0));
+    std::array<Edge_index, Parts::max_parts> edges;
     Parts::for_each(halfedges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-      edges[part] = 0;
-      for (Halfedge_index h = Index(first); h < beyond; ++h)
+      edges[part] = Edge_index(0);
+      for (Halfedge_index h(first); h < beyond; ++h)
         edges[part] += h < twin(h);
     });
-    Index sum = 0;
+    Edge_index sum(0);
     for (std::size_t part = 0; part < Parts::number(halfedges); ++part)
       sum += std::exchange(edges[part], sum);
     Parts::for_each(halfedges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-      number_edges_of(Index(first), Index(beyond), edges[part]);
+      number_edges_of(Halfedge_index(first), Halfedge_index(beyond), edges[part]);
     });
   }
 
   // Gives the numbers from e on to the edges whose smaller half-edges are in [first, beyond). Lists
   // these half-edges without a branch on `h < twin(h)`, because it would be unpredictable.
-  void number_edges_of(Index first, Index beyond, Edge_index e)
+  void number_edges_of(Halfedge_index first, Halfedge_index beyond, Edge_index e)
   {
     constexpr Index stretch = 256;
-    std::array<Index, stretch> firsts;
+    std::array<Halfedge_index, stretch> firsts;
     for (Halfedge_index h = first; h < beyond;) {
       Index number = 0;
-      for (const Index end = (std::min)(beyond, h + stretch); h < end; ++h) {
+      for (const Halfedge_index end = (std::min)(beyond, h + stretch); h < end; ++h) {
         firsts[number] = h;
         number += h < twin(h);
       }
@@ -191,7 +192,7 @@ public:
     const Halfedge_index g = twin(h);
     const Halfedge_index h_next = next(h), h_previous = previous(h);
     const Halfedge_index g_next = next(g), g_previous = previous(g);
-    const Index a = apex(h), b = apex(h_next), c = apex(h_previous), d = apex(g);
+    const Vertex_index a = apex(h), b = apex(h_next), c = apex(h_previous), d = apex(g);
     const Edge_index ab = edge_of(h_previous), bd = edge_of(g_next);
     const Edge_index dc = edge_of(g_previous), ca = edge_of(h_next), diagonal = edge_of(h);
 
@@ -224,7 +225,7 @@ public:
     const Halfedge_index h_next = next(h), g_next = next(g);
     const Halfedge_index outer_bd = twin(g_next), outer_ca = twin(h_next);
     const Edge_index bd = edge_of(g_next), ca = edge_of(h_next), diagonal = edge_of(h);
-    const Index a = apex(h), d = apex(g);
+    const Vertex_index a = apex(h), d = apex(g);
     // the sides bd and ca move to h and g, also where they are each other's twins
     link(h, outer_bd == h_next ? g : outer_bd);
     link(g, outer_ca == g_next ? h : outer_ca);
@@ -273,8 +274,9 @@ public:
   // Appends a slot with the next numbers.
   Slot append_slot()
   {
-    const Index faces = number_of_faces(), edges = number_of_edges();
-    const Slot slot{Index(m_corner.size()), {faces, faces + 1}, {edges, edges + 1, edges + 2}};
+    const Face_index faces(number_of_faces());
+    const Edge_index edges(number_of_edges());
+    const Slot slot{Vertex_index(m_corner.size()), {faces, faces + 1}, {edges, edges + 1, edges + 2}};
     m_corner.push_back(null_index);
     m_halfedges.resize(m_halfedges.size() + 6, Halfedge{null_index, null_index, null_index});
     m_edges.resize(m_edges.size() + 3);
@@ -290,9 +292,9 @@ public:
   {
     const Vertex_index v = slot.vertex;
     const Face_index g = slot.faces[0], k = slot.faces[1];
-    const std::array<Index, 3> corners = face(f);
+    const std::array<Vertex_index, 3> corners = face(f);
     const Halfedge_index outer_g = twin(halfedge_in(f, 1)), outer_k = twin(halfedge_in(f, 2));
-    const Index edge_g = edge_of(halfedge_in(f, 1)), edge_k = edge_of(halfedge_in(f, 2));
+    const Edge_index edge_g = edge_of(halfedge_in(f, 1)), edge_k = edge_of(halfedge_in(f, 2));
     set_face(g, corners[0], v, corners[2]);
     set_face(k, corners[0], corners[1], v);
     set_face(f, v, corners[1], corners[2]);
@@ -313,9 +315,9 @@ public:
   // The last one must not be empty itself, unless both are the same.
   void move_last_face_to(Face_index f)
   {
-    const Index last = number_of_faces() - 1;
+    const Face_index last(number_of_faces() - 1);
     for (Index i = 0; i < 3 && f != last; ++i) {
-      const Index from = halfedge_in(last, i), to = halfedge_in(f, i);
+      const Halfedge_index from = halfedge_in(last, i), to = halfedge_in(f, i);
       m_halfedges[to] = m_halfedges[from];
       m_halfedges[twin(to)].twin = to;
       if (m_halfedge_of_edge[edge_of(to)] == from)
@@ -327,7 +329,7 @@ public:
 
   void move_last_edge_to(Edge_index e)
   {
-    const Index last = number_of_edges() - 1;
+    const Edge_index last(number_of_edges() - 1);
     if (e != last) {
       m_edges[e] = m_edges[last];
       const Halfedge_index h = m_halfedge_of_edge[e] = m_halfedge_of_edge[last];
@@ -339,7 +341,7 @@ public:
 
   void move_last_vertex_to(Vertex_index v)
   {
-    const Index last = Index(m_corner.size()) - 1;
+    const Vertex_index last(m_corner.size() - 1);
     if (v != last) {
       for_each_corner(last, [&](Halfedge_index h) {
         m_halfedges[h].apex = v;
@@ -362,7 +364,7 @@ public:
     }
   }
 
-  void set_face(Face_index f, Index a, Index b, Index c)
+  void set_face(Face_index f, Vertex_index a, Vertex_index b, Vertex_index c)
   {
     set_apex(halfedge_in(f, 0), a);
     set_apex(halfedge_in(f, 1), b);
@@ -388,15 +390,16 @@ private:
     const Index turns = 0 - Index(edge.source != source(h));
     const Index ends = (edge.source ^ edge.target) & turns;
     const Index apexes = (edge.left ^ edge.right) & turns;
-    m_edges[e] = {edge.source ^ ends, edge.target ^ ends, edge.left ^ apexes, edge.right ^ apexes};
+    m_edges[e] = {Vertex_index(edge.source ^ ends), Vertex_index(edge.target ^ ends),
+                  Vertex_index(edge.left ^ apexes), Vertex_index(edge.right ^ apexes)};
   }
 
   void exchange_opposite(Edge_index e, Vertex_index from, Vertex_index to)
   {
     Edge_2& edge = m_edges[e];
     const Index is_left = 0 - Index(edge.left == from);
-    edge.left = (to & is_left) | (edge.left & ~is_left);
-    edge.right = (to & ~is_left) | (edge.right & is_left);
+    edge.left = Vertex_index((to & is_left) | (edge.left & ~is_left));
+    edge.right = Vertex_index((to & ~is_left) | (edge.right & is_left));
   }
 };
 

@@ -39,7 +39,7 @@ public:
     m_context.proof.open_illegal();
     if (m_context.is_done())
       return;
-    std::vector<Index>& edges = m_context.proof.uncertain();
+    std::vector<Edge_index>& edges = m_context.proof.uncertain();
     // a heuristic classifier treats examined edges as triangulated anew
     if (!m_context.is_exact)
       m_context.editor.note_examined(edges);
@@ -49,14 +49,14 @@ public:
   }
 
   // Flips from a list of edges, and leaves in it those that were not proved.
-  void run(std::vector<Index>& edges, bool do_faces_tile_hull)
+  void run(std::vector<Edge_index>& edges, bool do_faces_tile_hull)
   {
     note(m_lawson.run(m_state, m_context.editor, edges, do_faces_tile_hull, most_flips()));
   }
 
   // Flips at most so often, from these edges, though faces may be inverted. Returns whether that
   // has proved them all, and that the faces tile the hull.
-  bool try_to_prove(std::vector<Index>& edges, std::size_t most)
+  bool try_to_prove(std::vector<Edge_index>& edges, std::size_t most)
   {
     note(m_lawson.run(m_state, m_context.editor, edges, false, most));
     return edges.empty() && m_context.proof.hull_turns_once(m_state);
@@ -64,12 +64,12 @@ public:
 
   // Flips edges at infinity until the hull is convex. No face is inverted. `changed` are edges
   // whose test has changed since the classification. Returns whether the faces tile the hull.
-  bool mend_hull(const std::vector<Index>& changed)
+  bool mend_hull(const std::vector<Edge_index>& changed)
   {
     if constexpr (!State::has_hull)
       return true;
     m_edges.clear();
-    for (const std::vector<Index>* edges : {&std::as_const(m_context.proof).uncertain(), &changed})
+    for (const std::vector<Edge_index>* edges : {&std::as_const(m_context.proof).uncertain(), &changed})
       for (const Edge_index e : *edges)
         if (m_state.is_at_infinity(e))
           m_edges.push_back(e);
@@ -80,7 +80,7 @@ public:
 
   // Flips from edges around a vertex that was moved, where the faces tile the hull, and opens those
   // that it cannot prove.
-  void flip_nearby(const std::vector<Index>& edges)
+  void flip_nearby(const std::vector<Edge_index>& edges)
   {
     m_edges.clear();
     typename State::Edge_test(m_state).append_unproved(edges, m_edges);
@@ -115,10 +115,10 @@ public:
   // THE GAP BESIDE A SLAB -----------------------------------------------------------------------
 
   // The edges which a flip would exchange across the gap for another one there, and make Delaunay.
-  std::vector<Index> illegal_edges_across_gap() const
+  std::vector<Edge_index> illegal_edges_across_gap() const
   {
-    std::vector<Index> edges;
-    for (Edge_index e = 0; e < m_state.arrays().number_of_edges(); ++e)
+    std::vector<Edge_index> edges;
+    for (Edge_index e(0); e < m_state.arrays().number_of_edges(); ++e)
       if (is_illegal_across_gap(e))
         edges.push_back(e);
     return edges;
@@ -126,7 +126,7 @@ public:
 
   // Lawson's flips, from these edges on, of edges across the gap alone. If all faces in the gap are
   // counterclockwise, as they are where all other edges are right, the gap then is Delaunay.
-  void flip_across_gap(std::vector<Index>& edges)
+  void flip_across_gap(std::vector<Edge_index>& edges)
   {
     while (!edges.empty()) {
       const Edge_index e = edges.back();
@@ -155,7 +155,7 @@ private:
   Context& m_context;
   const State& m_state;
   Lawson_flips_2 m_lawson;
-  std::vector<Index> m_edges;
+  std::vector<Edge_index> m_edges;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -61,7 +61,7 @@ public:
     if (!m_context.proof.empty())
       return m_context.rebuild(Rebuild_reason_2::STUCK);
     constexpr unsigned max_rounds = 12;
-    const auto flip = [this](const std::vector<Index>& edges) { m_flips.flip_nearby(edges); };
+    const auto flip = [this](const std::vector<Edge_index>& edges) { m_flips.flip_nearby(edges); };
     for (unsigned round = 0; round < max_rounds && m_context.held.release(flip); ++round)
       if (!m_context.proof.empty())
         break;
@@ -164,9 +164,9 @@ private:
 
   Context& m_context;
   Flip_tool_2<State>& m_flips;
-  std::vector<Index> m_uncertain; // edges from which flips were tried
-  std::vector<Index> m_changed;   // edges whose test was changed
-  std::vector<Index> m_left;      // vertices that could not be taken out
+  std::vector<Edge_index> m_uncertain; // edges from which flips were tried
+  std::vector<Edge_index> m_changed;   // edges whose test was changed
+  std::vector<Vertex_index> m_left;      // vertices that could not be taken out
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -35,14 +35,14 @@ public:
 
   // Removes the points with these ids. False if some of them are left, which is so only on a torus:
   // see Vertex_relocation_2::take_out(). Then a rebuild has to leave them out.
-  bool remove(const std::vector<Index>& ids)
+  bool remove(const std::vector<Point_id>& ids)
   {
     if (ids.empty())
       return true;
     auto& relocation = m_context.relocation;
     Proof& proof = m_context.proof;
     const bool are_delaunay = proof.is_rest_known() && !m_state.have_points_moved();
-    const std::vector<Index> moved = relocation.remove(ids, are_delaunay);
+    const std::vector<Vertex_index> moved = relocation.remove(ids, are_delaunay);
     if (!moved.empty())
       proof.forget_hull();
     const std::size_t first_new = m_state.changes().new_edges.size();
@@ -58,7 +58,7 @@ public:
   // Removes points with these ids before a frame moves the others, so that it stays known where
   // these rest. Everything has to be Delaunay. Leaves the points that share a vertex to remove().
   // False if some of the others are left, as in remove().
-  bool remove_before_motion(const std::vector<Index>& ids)
+  bool remove_before_motion(const std::vector<Point_id>& ids)
   {
     auto& relocation = m_context.relocation;
     Proof& proof = m_context.proof;
@@ -79,7 +79,7 @@ public:
   }
 
   // Puts in vertices outside of faces, new points and parted duplicates, with flips around each.
-  void put_in(const std::vector<Index>& parted_duplicates)
+  void put_in(const std::vector<Point_id>& parted_duplicates)
   {
     Proof& proof = m_context.proof;
     Repair_budget_2& budget = m_context.budget;

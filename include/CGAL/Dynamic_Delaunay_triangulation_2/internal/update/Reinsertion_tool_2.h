@@ -64,7 +64,7 @@ public:
   void splice_open(unsigned padding)
   {
     m_context.proof.open_illegal();
-    std::vector<Index> vertices;
+    std::vector<Vertex_index> vertices;
     m_context.proof.for_each_uncertain_vertex(m_state,
                                               [&](Vertex_index v) { vertices.push_back(v); });
     put_in_anew(vertices, padding);
@@ -73,12 +73,12 @@ public:
   void relocate() { put_in_anew(m_context.classification.vertices(), 0); }
 
 private:
-  void put_in_anew(const std::vector<Index>& vertices, unsigned padding)
+  void put_in_anew(const std::vector<Vertex_index>& vertices, unsigned padding)
   {
     if (m_context.has_rebuilt())
       return;
     m_region.run(vertices, padding);
-    const std::vector<Index> region = m_region.inner();
+    const std::vector<Vertex_index> region = m_region.inner();
     if (!m_context.proof.is_required()) {
       m_context.proof.require();
       m_context.proof.take_unproved(m_state);
@@ -98,7 +98,7 @@ private:
 
   // Takes these vertices out if the budget allows it. Skips those whose faces meet images of
   // themselves, like the lowest point of a slab. Returns whether any is out.
-  bool take_out(const std::vector<Index>& vertices)
+  bool take_out(const std::vector<Vertex_index>& vertices)
   {
     const std::size_t price = price_of_taking_out(vertices);
     if (price > m_context.budget.left()) { // nothing else could mend so many edges either
@@ -120,7 +120,7 @@ private:
   }
 
   // The price of a vertex includes a few flips. A vertex of high degree takes more flips.
-  std::size_t price_of_taking_out(const std::vector<Index>& vertices) const
+  std::size_t price_of_taking_out(const std::vector<Vertex_index>& vertices) const
   {
     constexpr std::size_t usual_degree = 8;
     std::size_t price = 0;

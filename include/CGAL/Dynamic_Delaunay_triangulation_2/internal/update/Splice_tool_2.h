@@ -53,7 +53,7 @@ public:
   {
     constexpr std::size_t max_enlargements = 3; // then more padding does better
     m_context.proof.open_illegal();
-    std::vector<Index> vertices;
+    std::vector<Vertex_index> vertices;
     m_context.proof.for_each_uncertain_vertex(m_state,
                                               [&](Vertex_index v) { vertices.push_back(v); });
     splice(vertices, padding, max_enlargements, true);
@@ -78,7 +78,7 @@ public:
 private:
   // Splices around these vertices. Tests the uncertain and the boundary edges if `has_to_look`,
   // otherwise closes all. False if everything is rebuilt, or if this has merged vertices instead.
-  bool splice(const std::vector<Index>& vertices, unsigned padding, std::size_t max_enlargements,
+  bool splice(const std::vector<Vertex_index>& vertices, unsigned padding, std::size_t max_enlargements,
               bool has_to_look)
   {
     if (m_context.has_rebuilt())
@@ -130,7 +130,7 @@ private:
     if (!proof.is_required())
       return m_context.rebuild(Rebuild_reason_2::COINCIDENCE);
     proof.reopen(m_state, m_splice.boundary_edges());
-    std::vector<Index> candidates = m_splice.region();
+    std::vector<Vertex_index> candidates = m_splice.region();
     proof.for_each_uncertain_vertex(m_state, [&](Vertex_index v) { candidates.push_back(v); });
     make_distinct(candidates);
     const std::size_t first_new = m_state.changes().new_edges.size();

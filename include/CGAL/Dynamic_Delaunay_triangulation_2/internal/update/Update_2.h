@@ -110,9 +110,9 @@ public:
   }
 
   // The duplicates that have left their vertices.
-  std::vector<Index> parted_duplicates() const
+  std::vector<Point_id> parted_duplicates() const
   {
-    std::vector<Index> parted;
+    std::vector<Point_id> parted;
     const auto& ids = m_state.ids();
     for (const auto& duplicate : ids.duplicates())
       if (!m_state.is_at(duplicate.point, ids.vertex(duplicate.id)))
@@ -184,7 +184,7 @@ private:
   // Removes points from a frame: where the others rest, if that is known, because there everything
   // is Delaunay. False if some of them are left.
   template <class Input>
-  bool remove(const std::vector<Index>& ids, bool is_frame, Input& input)
+  bool remove(const std::vector<Point_id>& ids, bool is_frame, Input& input)
   {
     if (!is_frame || !m_context.can_hold())
       return m_tools.population.remove(ids);
@@ -302,7 +302,7 @@ private:
       require_if(was_certified);
       if (was_certified && !is_any_on_hull(change.moved))
         task.hull = Proof::Hull::AS_BEFORE;
-      task.jumper = was_certified ? find_jumper(change.moved) : Vertex_index(null_index);
+      task.jumper = was_certified ? find_jumper(change.moved) : null_index;
       if (task.jumper == null_index)
         classify_around(change.moved);
       else
@@ -312,7 +312,7 @@ private:
   }
 
   // Classifies the edges that see one of these points and are not Delaunay.
-  void classify_around(const std::vector<Index>& ids)
+  void classify_around(const std::vector<Point_id>& ids)
   {
     const Frame frame(m_state);
     m_edges_around.clear();
@@ -325,15 +325,15 @@ private:
   }
 
   // The vertex of the only point that has moved, if it has jumped: no edge need be examined then.
-  Vertex_index find_jumper(const std::vector<Index>& ids) const
+  Vertex_index find_jumper(const std::vector<Point_id>& ids) const
   {
     if (ids.size() != 1)
       return null_index;
     const Vertex_index v = m_state.ids().vertex(ids.front());
-    return m_tools.holds.has_jumped_alone(v) ? v : Vertex_index(null_index);
+    return m_tools.holds.has_jumped_alone(v) ? v : null_index;
   }
 
-  bool is_any_on_hull(const std::vector<Index>& ids) const
+  bool is_any_on_hull(const std::vector<Point_id>& ids) const
   {
     const auto is_on_hull = [&](Point_id id) {
       bool sees_infinity = false;
@@ -397,7 +397,7 @@ private:
   {
     if (report.rebuilt() || (m_context.proof.is_required() && !m_context.proof.empty()))
       return;
-    const std::vector<Index> parted = parted_duplicates();
+    const std::vector<Point_id> parted = parted_duplicates();
     const auto& relocation = m_context.relocation;
     const bool has_left_open = relocation.is_under_way() && !m_context.proof.empty();
     if (!parted.empty() || relocation.number_to_put_in() > 0 || has_left_open) {
@@ -425,7 +425,7 @@ private:
   // Flips what can be flipped across the gap beside a slab. False if there is nothing to flip.
   bool mend_gap(const Choices& choices)
   {
-    std::vector<Index> edges;
+    std::vector<Edge_index> edges;
     if (m_state.torus().cell().is_slab())
       edges = m_tools.flips.illegal_edges_across_gap();
     if (edges.empty())
@@ -452,7 +452,7 @@ private:
   const State& m_state;
   Tools m_tools;
   Update_context_2<State>& m_context; // that of the tools
-  std::vector<Index> m_edges_around;  // points that moved alone
+  std::vector<Edge_index> m_edges_around;  // points that moved alone
   bool m_is_certified = true;
   bool m_has_removed = true;
   bool m_is_classifier_informed = false; // of what is new since an update began

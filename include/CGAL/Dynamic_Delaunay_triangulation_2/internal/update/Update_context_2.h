@@ -64,7 +64,7 @@ public:
   Update_proof_2 proof;
   Repair_budget_2 budget;
   Classification classification;
-  std::vector<Index> padded, border; // vertices
+  std::vector<Vertex_index> padded, border; // vertices
   bool is_exact = true;              // whether the classifier is exact
 
   Update_report_2& report() { return *m_report; }
@@ -239,7 +239,7 @@ private:
 
   void rebuild_with_relocation()
   {
-    std::vector<Index> ids;
+    std::vector<Point_id> ids;
     std::vector<Point> points;
     relocation.for_each_coming([&](Point_id id, const Point& p) {
       ids.push_back(id);

@@ -70,7 +70,7 @@ private:
     const std::size_t edges = m_frame.number_of_edges();
     const std::size_t stride = 1 + edges / size;
     for (std::size_t e = 0; e < edges; e += stride)
-      f(Index(e));
+      f(Edge_index(e));
   }
 
   // Whether the filter alone proves the edges of a sample, all but less than so many. It is asked

@@ -90,10 +90,10 @@ public:
   std::size_t size() const { return m_uncertain.size() + m_illegal.size(); }
 
   // Open edges that may have inverted faces.
-  const std::vector<Index>& uncertain() const { return m_uncertain; }
+  const std::vector<Edge_index>& uncertain() const { return m_uncertain; }
   // The other ones.
-  const std::vector<Index>& illegal() const { return m_illegal; }
-  std::vector<Index>& uncertain() { return m_uncertain; }
+  const std::vector<Edge_index>& illegal() const { return m_illegal; }
+  std::vector<Edge_index>& uncertain() { return m_uncertain; }
 
   void clear()
   {
@@ -103,7 +103,7 @@ public:
   }
 
   // Opens these edges.
-  void open(const std::vector<Index>& edges)
+  void open(const std::vector<Edge_index>& edges)
   {
     m_uncertain.insert(m_uncertain.end(), edges.begin(), edges.end());
   }
@@ -185,7 +185,7 @@ public:
 
   // Opens these edges, too, then closes all uncertain edges that are Delaunay.
   template <class State>
-  void reopen(const State& state, const std::vector<Index>& edges)
+  void reopen(const State& state, const std::vector<Edge_index>& edges)
   {
     open(edges);
     keep_unproved(state, m_uncertain);
@@ -210,13 +210,13 @@ private:
   void open_all(const State& state)
   {
     const auto& arrays = state.arrays();
-    for (Edge_index e = 0; e < arrays.number_of_edges(); ++e)
+    for (Edge_index e(0); e < arrays.number_of_edges(); ++e)
       if (!arrays.is_empty_edge(e))
         m_uncertain.push_back(e);
   }
 
-  std::vector<Index> m_uncertain, m_illegal, m_unproved;
-  Index_set m_opened;
+  std::vector<Edge_index> m_uncertain, m_illegal, m_unproved;
+  Index_set<Edge_index> m_opened;
   Goal m_goal = Goal::NONE;
   Rest m_rest = Rest::UNKNOWN;
   Hull m_hull = Hull::UNKNOWN;

@@ -117,10 +117,10 @@ private:
   void find_inner_edges()
   {
     m_are_inner.assign(m_frame.number_of_edges(), false);
-    std::vector<Index> unproved;
+    std::vector<Edge_index> unproved;
     m_frame.append_unproved(0, m_frame.number_of_edges(), unproved);
     const Vertex_predicates_2<std::decay_t<decltype(m_frame.state())>> predicates(m_frame.state());
-    for (const Index e : unproved)
+    for (const Edge_index e : unproved)
       if (!m_frame.is_at_infinity(e)) {
         const auto& edge = m_frame.edge(e);
         m_are_inner[e] = predicates.side_of_circle(edge.left, edge.source, edge.target,
@@ -136,11 +136,11 @@ private:
     const Arrays& arrays = m_frame.state().arrays();
     std::vector<bool> are_seen(m_frame.number_of_faces(), false);
     std::vector<Corner> corners;
-    for (Index face = 0; face < m_frame.number_of_faces(); ++face) {
-      const std::array<Index, 3> v = m_frame.face(face);
+    for (Face_index face(0); face < m_frame.number_of_faces(); ++face) {
+      const std::array<Vertex_index, 3> v = m_frame.face(face);
       if (are_seen[face] || std::find(v.begin(), v.end(), infinite_index) != v.end())
         continue;
-      const auto outward = [&](Index h) {
+      const auto outward = [&](Halfedge_index h) {
         are_seen[Arrays::face_of(h)] = true;
         while (m_are_inner[arrays.edge_of(h)]) {
           h = Arrays::next(arrays.twin(h));
@@ -150,10 +150,10 @@ private:
       };
       corners.clear();
       bool has_owned = false;
-      const Index first = outward(3 * face);
-      Index h = first;
+      const Halfedge_index first = outward(Arrays::halfedge_in(face, 0));
+      Halfedge_index h = first;
       do {
-        const Index a = arrays.source(h);
+        const Vertex_index a = arrays.source(h);
         has_owned = has_owned || m_are_owned[a];
         corners.push_back({m_labels[a], arrays.apex(arrays.twin(h)) == infinite_index});
         h = outward(Arrays::next(h));
@@ -171,7 +171,7 @@ private:
   const Points& m_points;
   typename Points::Dynamic::Frame m_frame;
   std::vector<std::uint8_t> m_are_owned; // by vertices
-  std::vector<Index> m_labels;           // by vertices
+  Column<Vertex_index, Index> m_labels;
   std::vector<bool> m_are_inner;         // by edges
 };
 
