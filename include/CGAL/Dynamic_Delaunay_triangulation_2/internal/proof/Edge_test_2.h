@@ -99,7 +99,8 @@ append_unproved_in_lanes(const Pass& pass, const Position_2* positions, std::siz
 
 template <class Space, class Pass>
 void append_unproved_of_pass(const Pass& pass, const std::vector<Position_2>& positions,
-                             std::size_t first, std::size_t beyond, std::vector<Edge_index>& unproved)
+                             std::size_t first, std::size_t beyond,
+                             std::vector<Edge_index>& unproved)
 {
   const Position_2* const places = positions.data();
   call_with_lanes([=, &unproved](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
@@ -220,13 +221,15 @@ public:
 private:
   // Separate functions, so that compilers inline the filters.
 
-  BOOST_NOINLINE Orientation kernel_orientation(Vertex_index a, Vertex_index b, Vertex_index c) const
+  BOOST_NOINLINE Orientation kernel_orientation(Vertex_index a, Vertex_index b,
+                                                Vertex_index c) const
   {
     return m_state.traits().orientation_2_object()(m_state.point(a), m_state.point(b),
                                                    m_state.point(c));
   }
 
-  BOOST_NOINLINE Oriented_side kernel_side_of_circle(Vertex_index a, Vertex_index b, Vertex_index c, Vertex_index d) const
+  BOOST_NOINLINE Oriented_side kernel_side_of_circle(Vertex_index a, Vertex_index b, Vertex_index c,
+                                                     Vertex_index d) const
   {
     return m_state.traits().side_of_oriented_circle_2_object()(m_state.point(a), m_state.point(b),
                                                                m_state.point(c), m_state.point(d));
@@ -374,13 +377,11 @@ template <class State>
 void append_unproved(const State& state, std::vector<Edge_index>& unproved)
 {
   using Parts = typename State::Parts;
-  const std::size_t edges = state.arrays().number_of_edges();
-  std::vector<std::vector<Edge_index>> lists(Parts::number(edges));
-  Parts::for_each(edges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-    typename State::Edge_test(state).append_unproved(Index(first), Index(beyond), lists[part]);
-  });
-  for (const std::vector<Edge_index>& list : lists)
-    unproved.insert(unproved.end(), list.begin(), list.end());
+  append_by_parts<Parts>(state.arrays().number_of_edges(), Parts::usual_size, unproved,
+                         [&](std::size_t first, std::size_t beyond, std::vector<Edge_index>& some) {
+                           typename State::Edge_test(state).append_unproved(
+                               Edge_index(first), Edge_index(beyond), some);
+                         });
 }
 
 // Removes the Delaunay edges from the list, and keeps each other edge once, in ascending order.

@@ -161,9 +161,10 @@ public:
   // the visitor is told of each flip, there are no threads, and one part follows the other. The
   // result depends on the parts alone.
   template <class Function>
-  void flip_in_parts(const Topology_parts_2& topology, std::size_t parts, bool no_edge_doubles,
-                     std::size_t most, const Function& f)
+  void flip_in_parts(const Topology_parts_2& topology, bool no_edge_doubles, std::size_t most,
+                     const Function& f)
   {
+    const std::size_t parts = topology.number();
     m_flips_of_parts.resize((std::max)(parts, m_flips_of_parts.size()));
     m_editing.reserve(2 * most);
     const auto flip_part = [&](std::size_t part) {
@@ -374,7 +375,9 @@ public:
     const std::size_t kept_edges = m_arrays.number_of_edges() - m_empty_edges.size();
     m_number_of_edge.assign(m_empty_edges.size(), null_index); // of the edges from `kept_edges` on
     m_changes.renumberings.reserve_for_removals(empty_slots.size());
-    const auto note = [&](Edge_index from, Edge_index to) { m_number_of_edge[from - kept_edges] = to; };
+    const auto note = [&](Edge_index from, Edge_index to) {
+      m_number_of_edge[from - kept_edges] = to;
+    };
     drop_collected(note); // nothing throws from here on
     auto& new_edges = m_changes.new_edges;
     if (m_changes.everything_is_new) // some of these numbers can no longer be traced
@@ -530,10 +533,10 @@ private:
   {
     const Vertex_index v = m_ids.vertex(id);
     const Point_id successor = m_ids.duplicates().empty() || m_state.is_at(p, v)
-                                ? null_index
-                                : m_ids.find_duplicate_at(v, [&](const auto& duplicate) {
-                                    return m_state.is_at(duplicate.point, v);
-                                  });
+                                   ? null_index
+                                   : m_ids.find_duplicate_at(v, [&](const auto& duplicate) {
+                                       return m_state.is_at(duplicate.point, v);
+                                     });
     if (successor != null_index)
       return exchange_representative(successor, v, p);
     m_editing.reserve_for_move();
