@@ -949,7 +949,7 @@ void try_flips_in_parts(
   const std::size_t vertices = state.positions().size(), parts = 4, most = 3 * parts * fewer;
   const internal::Topology_parts_2 topology(state.arrays(), vertices, parts);
   std::size_t flips = 0, hidden = 0, between = 0;
-  editor.flip_in_parts(topology, parts, false, most, [&](std::size_t part, const auto& try_flip) {
+  editor.flip_in_parts(topology, false, most, [&](std::size_t part, const auto& try_flip) {
     for (std::uint32_t e = 0; e < state.arrays().number_of_edges(); ++e) {
       const auto edge = state.arrays().edge(e);
       const auto is_in_part = [&](std::uint32_t v) {

@@ -134,7 +134,8 @@ private:
   {
     bool are_equal = first.number_of_edges() == other.number_of_edges();
     for (std::uint32_t i = 0; are_equal && i != first.number_of_edges(); ++i) {
-      const auto e = first.edge(i), f = other.edge(i);
+      const auto e = first.edge(typename Frame::Edge_index(i)),
+                 f = other.edge(typename Frame::Edge_index(i));
       are_equal =
           e.source == f.source && e.target == f.target && e.left == f.left && e.right == f.right;
     }

@@ -192,6 +192,23 @@ void remove_by_parts(std::vector<Index_of_kind>& indices, std::size_t least, con
   indices.erase(std::remove(indices.begin(), indices.end(), null_index), indices.end());
 }
 
+// Appends what append(i, beyond, list) appends for all parts [i, beyond) of a range, in their
+// order. Threads share the parts.
+template <class Parts, class Element, class Append>
+void append_by_parts(std::size_t size, std::size_t least, std::vector<Element>& list,
+                     const Append& append)
+{
+  const std::size_t parts = Parts::number(size, least);
+  if (!Parts::are_shared(parts))
+    return append(std::size_t(0), size, list);
+  std::vector<std::vector<Element>> lists(parts);
+  Parts::for_each(size, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+    append(first, beyond, lists[part]);
+  });
+  for (const std::vector<Element>& some : lists)
+    list.insert(list.end(), some.begin(), some.end());
+}
+
 // Throws if an id occurs more than once.
 template <class Id>
 void check_distinct(const std::vector<Id>& given)

@@ -13,6 +13,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
 
 #include <algorithm>
 #include <array>
@@ -60,45 +61,39 @@ public:
   {
     reserve_bonds();
     m_peeled.clear();
-    m_inverted.clear();
     m_is_hull_held = State::has_hull && at_hull == At_hull::HOLD;
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      prefetch_ahead(edges, i);
-      const Halfedge_index h = m_state.arrays().halfedge(edges[i]);
-      add_if_inverted(Arrays::face_of(h));
-      add_if_inverted(Arrays::face_of(m_state.arrays().twin(h)));
-    }
+    collect_inverted(edges);
     if (at_hull == At_hull::PEEL)
       peel();
     if (m_is_hull_held) {
       m_hull_turn.find_middle();
-      m_state.arrays().for_each_corner(
-          infinite_index, [&](Halfedge_index h) { add_if_inverted(Arrays::face_of(h)); });
+      m_state.arrays().for_each_corner(infinite_index, [&](Halfedge_index h) {
+        add_if_inverted(Arrays::face_of(h), m_inverted);
+      });
     }
-    while (!m_inverted.empty()) {
-      const Face_index f = m_inverted.back();
-      if (is_right(f)) {
-        m_inverted.pop_back();
-        continue;
-      }
-      const Vertex_index v = vertex_to_hold(f);
-      if (v == null_index || m_held.size() > most)
-        return false;
-      hold(v);
-    }
+    hold_in_parts(most);
+    const auto may_hold = [](Vertex_index) { return true; };
+    m_left.clear();
+    hold_vertices_of(m_inverted, m_held, most, may_hold, m_left);
     std::sort(m_held.begin(), m_held.end(), // nearly a spatial order
               [](const Held& a, const Held& b) { return a.vertex < b.vertex; });
-    return true;
+    return m_inverted.empty() && m_left.empty() && m_held.size() <= most;
   }
 
-  // Lists the edges whose test hold() may have changed.
-  void append_changed_edges(std::vector<Edge_index>& edges) const
+  // Lists the edges whose test hold() may have changed, without those that the filter proves.
+  // Threads share the held vertices.
+  void append_unproved(std::vector<Edge_index>& unproved) const
   {
-    for (std::size_t i = 0; i < m_held.size(); ++i) {
-      prefetch_stars(i);
-      append_edges_that_see(m_held[i].vertex, edges);
-    }
-    edges.insert(edges.end(), m_peeled.begin(), m_peeled.end());
+    append_by_parts<Parts>(m_held.size(), least_of_part, unproved,
+                           [&](std::size_t i, std::size_t beyond, std::vector<Edge_index>& some) {
+                             std::vector<Edge_index> edges;
+                             for (; i < beyond; ++i) {
+                               prefetch_stars(i);
+                               append_edges_that_see(m_held[i].vertex, edges);
+                             }
+                             typename State::Edge_test(m_state).append_unproved(edges, some);
+                           });
+    unproved.insert(unproved.end(), m_peeled.begin(), m_peeled.end());
   }
 
   // Moves each held vertex on, the whole way to its target, half of it or a quarter, as far as the
@@ -114,19 +109,49 @@ public:
     bool has_any_moved = false;
     for (std::size_t i = 0; i < m_held.size(); ++i) {
       prefetch_stars(i);
-      const Held held = m_held[i];
-      m_changed.clear();
-      const double share = is_to_be_taken_out(held) ? 0 : move_on(held);
-      has_any_moved = has_any_moved || share > 0;
-      if (!m_changed.empty())
-        flip(m_changed);
-      if (share == 1)
+      Held& held = m_held[i];
+      if (held.progress == Progress::WAITING) {
+        m_changed.clear();
+        held.progress = progress_of(is_to_be_taken_out(held) ? 0 : move_on(held));
+        if (!m_changed.empty())
+          flip(m_changed);
+      }
+      has_any_moved = has_any_moved || held.progress != Progress::WAITING;
+      if (held.progress == Progress::ARRIVED)
         m_bonds[held.vertex] = Bond::FREE;
-      else
+      else {
+        held.progress = Progress::WAITING;
         m_held[kept++] = held;
+      }
     }
-    m_held.resize(kept);
+    m_held.erase(m_held.begin() + std::ptrdiff_t(kept), m_held.end());
     return has_any_moved;
+  }
+
+  // Moves on those whose stars are inside of the part; then release() moves the others, and counts
+  // these. Threads may do so at the same time, each in another part.
+  template <class Flip>
+  void release_in_part(const Topology_parts_2& topology, std::size_t part, const Flip& flip)
+  {
+    std::vector<Edge_index> changed;
+    const auto comes_before = [](const Held& held, Vertex_index v) { return held.vertex < v; };
+    const auto find = [&](Vertex_index v) {
+      return std::lower_bound(m_held.begin(), m_held.end(), v, comes_before) - m_held.begin();
+    };
+    const auto beyond = std::size_t(find(topology.begin(part + 1)));
+    for (auto i = std::size_t(find(topology.begin(part))); i < beyond; ++i) {
+      prefetch_stars(i);
+      Held& held = m_held[i];
+      if (is_to_be_taken_out(held) || !topology.has_star(part, held.vertex))
+        continue;
+      const double share = move_in_star(held);
+      if (share == 0)
+        continue;
+      held.progress = progress_of(share);
+      changed.clear();
+      append_edges_that_see(held.vertex, changed);
+      flip(changed);
+    }
   }
 
   // Calls take_out(v) for each vertex v that is still held, and lists those for which it returns
@@ -144,11 +169,9 @@ public:
   // Puts all held vertices at their targets, whatever that does to faces.
   void let_go()
   {
-    for (const Held& held : m_held) {
-      m_editor.restore(held.vertex, held.target);
-      m_bonds[held.vertex] = Bond::FREE;
-    }
-    m_held.clear();
+    for (Part& part : m_parts) // an exception may have left some there
+      let_go(part.held);
+    let_go(m_held);
   }
 
   // Whether the way of v, relative to its neighbors, is longer than its edges were.
@@ -158,19 +181,40 @@ public:
   void hold_at_rest(Vertex_index v)
   {
     reserve_bonds();
-    m_held.push_back({v, true, m_editor.stored(v)});
+    m_held.push_back({v, true, Progress::WAITING, m_editor.stored(v)});
     put_to_rest(v);
   }
 
 private:
+  using Parts = typename State::Parts;
+
   enum class Bond : std::uint8_t { FREE, CARRIED, AT_REST };
+  enum class Progress : std::uint8_t { WAITING, MOVED, ARRIVED }; // in a round of release()
 
   struct Held
   {
     Vertex_index vertex;
     bool goes_far;
+    Progress progress;
     Stored_point target;
   };
+
+  struct Part
+  {
+    std::vector<Held> held;
+    std::vector<Face_index> inverted, left;
+  };
+
+  static constexpr std::size_t least_of_part = (std::max)(Parts::usual_size / 64, std::size_t(1));
+
+  void let_go(std::vector<Held>& all)
+  {
+    for (const Held& held : all) {
+      m_editor.restore(held.vertex, held.target);
+      m_bonds[held.vertex] = Bond::FREE;
+    }
+    all.clear();
+  }
 
   // MEMORY --------------------------------------------------------------------------------------
 
@@ -226,10 +270,26 @@ private:
                                   m_state.site_in(k, chart)) == LEFT_TURN;
   }
 
-  void add_if_inverted(Face_index f)
+  void add_if_inverted(Face_index f, std::vector<Face_index>& inverted) const
   {
     if (!is_right(f))
-      m_inverted.push_back(f);
+      inverted.push_back(f);
+  }
+
+  // Lists the inverted faces at these edges. Threads share the edges.
+  void collect_inverted(const std::vector<Edge_index>& edges)
+  {
+    m_inverted.clear();
+    append_by_parts<Parts>(
+        edges.size(), least_of_part, m_inverted,
+        [&](std::size_t i, std::size_t beyond, std::vector<Face_index>& inverted) {
+          for (; i < beyond; ++i) {
+            prefetch_ahead(edges, i);
+            const Halfedge_index h = m_state.arrays().halfedge(edges[i]);
+            add_if_inverted(Arrays::face_of(h), inverted);
+            add_if_inverted(Arrays::face_of(m_state.arrays().twin(h)), inverted);
+          }
+        });
   }
 
   bool is_star_right(Vertex_index v) const
@@ -267,8 +327,8 @@ private:
           const Halfedge_index left = arrays.twin(Arrays::next(h)),
                                right = arrays.twin(Arrays::previous(h));
           flip_and_note(h, m_peeled);
-          add_if_inverted(Arrays::face_of(left));
-          add_if_inverted(Arrays::face_of(right));
+          add_if_inverted(Arrays::face_of(left), m_inverted);
+          add_if_inverted(Arrays::face_of(right), m_inverted);
           break;
         }
   }
@@ -361,16 +421,75 @@ private:
     return farthest != null_index ? farthest : carried;
   }
 
-  void hold(Vertex_index v)
+  // Where many faces are inverted, holds vertices whose stars are inside of a part. Threads share
+  // the parts. Leaves the faces that are not right even so.
+  void hold_in_parts(std::size_t most)
+  {
+    const Topology_parts_2 topology(m_state);
+    if (!topology.are_worth<Parts>(2 * m_inverted.size()))
+      return;
+    m_parts.resize((std::max)(m_parts.size(), topology.number()));
+    for (Part& part : m_parts) { // an exception may have left some
+      part.inverted.clear();
+      part.left.clear();
+    }
+    for (const Face_index f : m_inverted)
+      m_parts[topology.part_of(finite_vertex(f))].inverted.push_back(f);
+    m_inverted.clear();
+    Parts::run(topology.number(), [&](std::size_t part) {
+      const auto may_hold = [&](Vertex_index v) { return topology.has_star(part, v); };
+      Part& mine = m_parts[part];
+      hold_vertices_of(mine.inverted, mine.held, 4 * most / topology.number(), may_hold, mine.left);
+    });
+    std::size_t number = 0;
+    for (const Part& part : m_parts)
+      number += part.held.size();
+    m_held.reserve(m_held.size() + number);
+    for (Part& part : m_parts) {
+      for (std::vector<Face_index>* faces : {&part.inverted, &part.left}) {
+        m_inverted.insert(m_inverted.end(), faces->begin(), faces->end());
+        faces->clear();
+      }
+      m_held.insert(m_held.end(), part.held.begin(), part.held.end());
+      part.held.clear();
+    }
+  }
+
+  // Holds vertices of these faces, and of those around them, until all are right, or `most` are
+  // held. Lists in `left` the faces that only a vertex v without may_hold(v) could right.
+  template <class May_hold>
+  void hold_vertices_of(std::vector<Face_index>& inverted, std::vector<Held>& held,
+                        std::size_t most, const May_hold& may_hold, std::vector<Face_index>& left)
+  {
+    while (!inverted.empty() && held.size() <= most) {
+      const Face_index f = inverted.back();
+      inverted.pop_back();
+      if (is_right(f))
+        continue;
+      const Vertex_index v = vertex_to_hold(f);
+      if (v == null_index || !may_hold(v))
+        left.push_back(f);
+      else
+        hold(v, inverted, held);
+    }
+  }
+
+  Vertex_index finite_vertex(Face_index f) const
+  {
+    const std::array<Vertex_index, 3> vertices = m_state.face(f);
+    return vertices[0] == infinite_index ? vertices[1] : vertices[0];
+  }
+
+  void hold(Vertex_index v, std::vector<Face_index>& inverted, std::vector<Held>& held)
   {
     if (m_bonds[v] == Bond::FREE) {
       const Position_2 mean = mean_displacement(v);
-      m_held.push_back({v, goes_far(v, mean), m_editor.stored(v)});
+      held.push_back({v, goes_far(v, mean), Progress::WAITING, m_editor.stored(v)});
       carry(v, mean);
     } else
       put_to_rest(v);
     m_state.arrays().for_each_corner(
-        v, [&](Halfedge_index h) { add_if_inverted(Arrays::face_of(h)); });
+        v, [&](Halfedge_index h) { add_if_inverted(Arrays::face_of(h), inverted); });
   }
 
   // A vertex that has not moved is at rest already; if points move alone, no other array has its
@@ -442,6 +561,11 @@ private:
       return held.goes_far && edge_into_gap(held.vertex) == null_index;
   }
 
+  static Progress progress_of(double share)
+  {
+    return share == 1 ? Progress::ARRIVED : share > 0 ? Progress::MOVED : Progress::WAITING;
+  }
+
   // Returns the share of the way to its target that the vertex has moved. Lists the edges whose
   // test that may have changed.
   double move_on(const Held& held)
@@ -501,8 +625,10 @@ private:
   Hull_turn_2<State> m_hull_turn;
   bool m_is_hull_held = false;
   std::vector<Held> m_held;
-  std::vector<Bond> m_bonds;     // indexed by vertices; FREE between updates
+  std::vector<Bond> m_bonds;          // indexed by vertices; FREE between updates
+  std::vector<Part> m_parts;          // empty outside of hold_in_parts()
   std::vector<Face_index> m_inverted; // faces that may be inverted
+  std::vector<Face_index> m_left;     // inverted faces, none of whose vertices can be held
   std::vector<Edge_index> m_peeled;   // hull edges that were flipped, and edges around them
   std::vector<Edge_index> m_changed;  // edges around the vertex that has moved last
 };

@@ -71,6 +71,31 @@ public:
     return m_work.flips;
   }
 
+  // Calls work(part, flip) for all parts, which threads share. It may move vertices whose stars are
+  // inside of the part, if all faces stay counterclockwise; then it calls flip(edges) with the
+  // edges whose test that may have changed. Appends to `open` what flips inside of parts did not
+  // prove. Returns the number of flips.
+  template <class State, class Editor, class Function>
+  std::size_t run_beside(const State& state, Editor& editor, const Topology_parts_2& topology,
+                         std::size_t most, const Function& work, std::vector<Edge_index>& open)
+  {
+    m_work.not_flippable.clear();
+    clear_parts(topology.number());
+    const std::size_t share = most / topology.number();
+    editor.flip_in_parts(topology, true, most, [&](std::size_t part, const auto& try_flip) {
+      Work& mine = m_parts[part];
+      work(part, [&](const std::vector<Edge_index>& edges) {
+        typename State::Edge_test(state).append_unproved(edges, mine.touched);
+        flip_touched(state, share, try_flip, mine);
+        mine.open.insert(mine.open.end(), mine.touched.begin(), mine.touched.end());
+        mine.touched.clear();
+      });
+    });
+    const std::size_t flips = collect(topology.number(), open);
+    open.insert(open.end(), m_work.not_flippable.begin(), m_work.not_flippable.end());
+    return flips;
+  }
+
   // Flips around v, which was put into a face. Leaves in `open` the edges that it could not prove.
   template <class State, class Editor>
   std::size_t run_around(const State& state, Editor& editor, Vertex_index v,
@@ -92,6 +117,14 @@ private:
   {
     std::vector<Edge_index> seeds, touched, sides, open, not_flippable;
     std::size_t flips = 0;
+
+    // What an exception has left of the last run goes, too.
+    void clear()
+    {
+      for (std::vector<Edge_index>* edges : {&seeds, &touched, &open, &not_flippable})
+        edges->clear();
+      flips = 0;
+    }
   };
 
   template <class State, class Editor>
@@ -122,20 +155,31 @@ private:
   std::size_t run_in_parts(const State& state, Editor& editor, std::vector<Edge_index>& open,
                            bool faces_tile_hull, std::size_t limit)
   {
-    using Parts = typename State::Parts;
-    const std::size_t faces = state.arrays().number_of_faces(), seeds = open.size();
-    const std::size_t parts =
-        Parts::number(faces, (std::max)(Parts::usual_size, faces / max_parts));
-    if (seeds == 0 || parts < Parts::least_shared || seeds < parts * (Parts::usual_size / 256))
+    const Topology_parts_2 topology(state);
+    const std::size_t seeds = open.size();
+    if (seeds == 0 || !topology.are_worth<typename State::Parts>(seeds))
       return 0;
-    const Topology_parts_2 topology(state.arrays(), state.positions().size(), parts);
-    divide<Parts>(topology, parts, open);
-    editor.flip_in_parts(topology, parts, faces_tile_hull, limit,
+    divide<typename State::Parts>(topology, open);
+    editor.flip_in_parts(topology, faces_tile_hull, limit,
                          [&](std::size_t part, const auto& try_flip) {
                            Work& work = m_parts[part];
                            const std::size_t share = limit * work.seeds.size() / seeds;
                            flip_from_seeds(state, work, share, try_flip);
                          });
+    return collect(topology.number(), open);
+  }
+
+  // Begins with empty parts.
+  void clear_parts(std::size_t parts)
+  {
+    m_parts.resize((std::max)(parts, m_parts.size()));
+    for (Work& part : m_parts)
+      part.clear();
+  }
+
+  // Gathers what the parts have left open. Returns the number of their flips.
+  std::size_t collect(std::size_t parts, std::vector<Edge_index>& open)
+  {
     std::size_t flips = 0;
     for (std::size_t part = 0; part < parts; ++part) {
       const Work& work = m_parts[part];
@@ -149,16 +193,12 @@ private:
 
   // Moves the edges inside of a part to its seeds; the others remain. Threads find these parts.
   template <class Parts>
-  void divide(const Topology_parts_2& topology, std::size_t parts, std::vector<Edge_index>& edges)
+  void divide(const Topology_parts_2& topology, std::vector<Edge_index>& edges)
   {
     constexpr std::size_t least = (std::max)(Parts::usual_size / 8, std::size_t(1));
     constexpr std::uint8_t none = 255;
-    static_assert(max_parts < none);
-    m_parts.resize((std::max)(parts, m_parts.size()));
-    for (Work& part : m_parts) {
-      part.seeds.clear();
-      part.not_flippable.clear();
-    }
+    static_assert(Topology_parts_2::max_number < none);
+    clear_parts(topology.number());
     m_part_of_seed.resize(edges.size());
     Parts::for_each(edges.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
       for (; i < beyond; ++i) {
@@ -259,8 +299,7 @@ private:
     });
   }
 
-  static constexpr std::size_t stretch = 16;   // seeds that are fetched together
-  static constexpr std::size_t max_parts = 32; // larger parts leave fewer edges between parts
+  static constexpr std::size_t stretch = 16; // seeds that are fetched together
 
   Work m_work;
   std::vector<Work> m_parts;

@@ -377,13 +377,11 @@ template <class State>
 void append_unproved(const State& state, std::vector<Edge_index>& unproved)
 {
   using Parts = typename State::Parts;
-  const std::size_t edges = state.arrays().number_of_edges();
-  std::vector<std::vector<Edge_index>> lists(Parts::number(edges));
-  Parts::for_each(edges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-    typename State::Edge_test(state).append_unproved(Index(first), Index(beyond), lists[part]);
-  });
-  for (const std::vector<Edge_index>& list : lists)
-    unproved.insert(unproved.end(), list.begin(), list.end());
+  append_by_parts<Parts>(state.arrays().number_of_edges(), Parts::usual_size, unproved,
+                         [&](std::size_t first, std::size_t beyond, std::vector<Edge_index>& some) {
+                           typename State::Edge_test(state).append_unproved(
+                               Edge_index(first), Edge_index(beyond), some);
+                         });
 }
 
 // Removes the Delaunay edges from the list, and keeps each other edge once, in ascending order.

@@ -161,9 +161,10 @@ public:
   // the visitor is told of each flip, there are no threads, and one part follows the other. The
   // result depends on the parts alone.
   template <class Function>
-  void flip_in_parts(const Topology_parts_2& topology, std::size_t parts, bool no_edge_doubles,
-                     std::size_t most, const Function& f)
+  void flip_in_parts(const Topology_parts_2& topology, bool no_edge_doubles, std::size_t most,
+                     const Function& f)
   {
+    const std::size_t parts = topology.number();
     m_flips_of_parts.resize((std::max)(parts, m_flips_of_parts.size()));
     m_editing.reserve(2 * most);
     const auto flip_part = [&](std::size_t part) {

@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -38,9 +39,34 @@ class Topology_parts_2
 public:
   Topology_parts_2(const Halfedge_arrays_2& arrays, std::size_t vertices, std::size_t parts)
     : m_arrays(arrays)
+    , m_number(parts)
     , m_vertices((vertices + parts - 1) / parts)
   {
   }
+
+  // As many parts as suit the size of a triangulation, which alone decides: so equal input gives
+  // equal results on any number of threads. Larger parts leave fewer edges between parts.
+  template <class State>
+  explicit Topology_parts_2(const State& state)
+    : Topology_parts_2(state.arrays(), state.positions().size(),
+                       usual_number<typename State::Parts>(state.arrays().number_of_faces()))
+  {
+  }
+
+  static constexpr std::size_t max_number = 32;
+
+  std::size_t number() const { return m_number; }
+
+  // Whether threads would gain by sharing so many pieces of work.
+  template <class Parts>
+  bool are_worth(std::size_t pieces) const
+  {
+    return m_number >= Parts::least_shared && pieces >= m_number * (Parts::usual_size / 256);
+  }
+
+  std::size_t part_of(Vertex_index v) const { return v / m_vertices; }
+  // The first vertex of a part.
+  Vertex_index begin(std::size_t part) const { return Vertex_index(part * m_vertices); }
 
   // Returns the part of the source of edge e.
   std::size_t part_of(Edge_index e) const { return m_arrays.edge(e).source / m_vertices; }
@@ -61,13 +87,32 @@ public:
       m_arrays.prefetch_edge(edges[i + ahead]);
   }
 
+  // Whether v and its finite neighbors belong to the part. If only such vertices move while flips
+  // are made inside of parts, no thread reads the position of a vertex that another one moves: a
+  // vertex of an edge or a face with a vertex in another part has a neighbor there.
+  bool has_star(std::size_t part, Vertex_index v) const
+  {
+    bool has = has_vertex(part, v);
+    if (has)
+      m_arrays.for_each_neighbor(
+          v, [&](Vertex_index w) { has = has && (w == infinite_index || has_vertex(part, w)); });
+    return has;
+  }
+
 private:
+  template <class Parts>
+  static std::size_t usual_number(std::size_t faces)
+  {
+    return Parts::number(faces, (std::max)(Parts::usual_size, faces / max_number));
+  }
+
   bool has_vertex(std::size_t part, Vertex_index v) const
   {
     return v - part * m_vertices < m_vertices; // false if v is smaller: unsigned, it wraps around
   }
 
   const Halfedge_arrays_2& m_arrays;
+  const std::size_t m_number;
   const std::size_t m_vertices; // of a part
 };
 

@@ -9,10 +9,12 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Lawson_flips_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_context_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -88,6 +90,19 @@ public:
     if (m_edges.empty())
       return;
     note(m_lawson.run_nearby(m_state, m_context.editor, m_edges, most_flips()));
+    m_context.proof.open(m_edges);
+  }
+
+  // Calls work(part, flip) for all parts, as Lawson_flips_2::run_beside() says; some `moves`
+  // vertices move there. Then flips the edges between parts, and opens those that it cannot prove.
+  template <class Work>
+  void flip_beside(const Topology_parts_2& topology, std::size_t moves, const Work& work)
+  {
+    constexpr std::size_t of_a_move = 100;
+    m_edges.clear();
+    note(m_lawson.run_beside(m_state, m_context.editor, topology,
+                             (std::min)(most_flips(), of_a_move * moves), work, m_edges));
+    run(m_edges, true);
     m_context.proof.open(m_edges);
   }
 

@@ -61,8 +61,7 @@ public:
     if (!m_context.proof.empty())
       return m_context.rebuild(Rebuild_reason_2::STUCK);
     constexpr unsigned max_rounds = 12;
-    const auto flip = [this](const std::vector<Edge_index>& edges) { m_flips.flip_nearby(edges); };
-    for (unsigned round = 0; round < max_rounds && m_context.held.release(flip); ++round)
+    for (unsigned round = 0; round < max_rounds && release_once(); ++round)
       if (!m_context.proof.empty())
         break;
     const bool are_faces_right = m_context.proof.empty();
@@ -75,6 +74,20 @@ public:
   }
 
 private:
+  // Moves each held vertex on, if it can: by parts, if they are many, then the others. Returns
+  // whether any has moved.
+  bool release_once()
+  {
+    auto& held = m_context.held;
+    const Topology_parts_2 topology(m_context.state);
+    if (topology.are_worth<typename State::Parts>(4 * held.size()))
+      m_flips.flip_beside(topology, held.size(), [&](std::size_t part, const auto& flip) {
+        held.release_in_part(topology, part, flip);
+      });
+    return held.release(
+        [this](const std::vector<Edge_index>& edges) { m_flips.flip_nearby(edges); });
+  }
+
   // Where few faces are inverted, flips nearly always right them all, and nothing need be held: at
   // steps of 0.01 spacings, and where the border of a crystal bends. Returns whether they have.
   // Otherwise the uncertain edges are as before, but what was flipped has to be undone.
@@ -108,11 +121,11 @@ private:
       return false;
     }
     m_changed.clear();
-    held.append_changed_edges(m_changed);
+    held.append_unproved(m_changed);
     if (!m_flips.mend_hull(m_changed))
       return false;
     proof.set_faces(Proof::Faces::TILE_HULL);
-    typename State::Edge_test(m_context.state).append_unproved(m_changed, proof.uncertain());
+    proof.open(m_changed);
     return true;
   }
 
