@@ -192,12 +192,14 @@ private:
   template <class Frame>
   void write_neighbors(const Frame& frame)
   {
+    using Vertex_index = typename Frame::Vertex_index;
     Frame::Parts::for_each(
         frame.number_of_vertices(), [&](size_type, size_type first, size_type beyond) {
-          for (Id v = Id(first) + 1; v <= beyond; ++v) {
+          for (Vertex_index v(first + 1); v <= beyond; ++v) {
             size_type entry = m_offsets[frame.id(v)];
-            frame.state().for_each_finite_neighbor(
-                v, [&](Id w, const auto&... shift) { write(entry++, frame.id(w), shift...); });
+            frame.state().for_each_finite_neighbor(v, [&](Vertex_index w, const auto&... shift) {
+              write(entry++, frame.id(w), shift...);
+            });
           }
         });
   }
