@@ -110,16 +110,15 @@ public:
     m_left_over.resize((std::max)(parts, m_left_over.size()));
     for (Summands& summands : m_left_over)
       summands.clear();
-    space.for_each_face(
-        [&](std::size_t part, const std::array<Vertex_index, 3>& cells,
-            const Voronoi_face_2& face) {
-          f(cells, face, [&](Index c, const Summand& summand) {
-            if (space.has_cell(part, c))
-              apply(c, summand);
-            else
-              leave_over(part, c, summand);
-          });
-        });
+    space.for_each_face([&](std::size_t part, const std::array<Vertex_index, 3>& cells,
+                            const Voronoi_face_2& face) {
+      f(cells, face, [&](Index c, const Summand& summand) {
+        if (space.has_cell(part, c))
+          apply(c, summand);
+        else
+          leave_over(part, c, summand);
+      });
+    });
     for (const Summands& summands : m_left_over)
       for (const auto& [c, summand] : summands)
         apply(c, summand);

@@ -462,11 +462,11 @@ private:
   Vertex_order_2<State> m_meeting_order;
   Spatial_order_2 m_order;
   std::vector<Position_2> m_positions;
-  Star_polygon_2<State> m_polygon; // around the vertex that goes or comes
-  std::size_t m_replaced = 0;      // faces that the last vertex has replaced
+  Star_polygon_2<State> m_polygon;  // around the vertex that goes or comes
+  std::size_t m_replaced = 0;       // faces that the last vertex has replaced
   std::vector<Vertex_index> m_rest; // vertices for remove_rest()
-  std::vector<Slot> m_waiting;     // of vertices that jumped
-  std::vector<Slot> m_empty;       // of vertices without points
+  std::vector<Slot> m_waiting;      // of vertices that jumped
+  std::vector<Slot> m_empty;        // of vertices without points
   std::vector<Point_id> m_coming_ids;
   std::vector<Point> m_coming_points;
 };

@@ -376,7 +376,7 @@ private:
   const typename State::Writer m_writer;
   typename State::Writer::Positions& m_positions;
   Torus_editing_2<State> m_editing;
-  std::vector<Point_id> m_gone; // ids to be left out of the next frame
+  std::vector<Point_id> m_gone;      // ids to be left out of the next frame
   std::vector<Point> m_next_covered; // by their numbers
   std::vector<Translations> m_parts; // of the vertices, while they are staged
   Translations m_translated;         // vertices, and their shifts

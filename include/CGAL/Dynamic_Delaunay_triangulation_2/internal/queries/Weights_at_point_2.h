@@ -284,8 +284,8 @@ private:
   Rounded_weight_parts_2<State> m_rounded;
   Location_2<State> m_location;
   Cavity_2<State> m_cavity;
-  Vertex_index m_last{1};  // near the last query point
-  double m_near = -1;      // the squared distance to walk from there at most
+  Vertex_index m_last{1}; // near the last query point
+  double m_near = -1;     // the squared distance to walk from there at most
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -204,7 +204,9 @@ private:
     const auto staged = m_positions.staged();
     const auto stage = [&, staged](std::size_t i, Limit_check_2& check) {
       read(first, point_map, representatives[i], check, are_exact,
-           [&](const Position_2& position, const Point& p) { staged.set(Vertex_index(i), position, p); });
+           [&](const Position_2& position, const Point& p) {
+             staged.set(Vertex_index(i), position, p);
+           });
     };
     // consecutive vertices are near to each other in the plane, but scattered over the range
     const auto prefetch_point = [&](std::size_t i) {

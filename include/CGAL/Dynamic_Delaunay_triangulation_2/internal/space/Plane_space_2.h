@@ -60,7 +60,7 @@ public:
   template <bool is_heard>
   using Visitor_calls = Visitor_calls_2<Triangulation, is_heard>;
 
-  static constexpr bool is_periodic = false;            // for users of frames only
+  static constexpr bool is_periodic = false;                   // for users of frames only
   static constexpr Vertex_index first_vertex = infinite_index; // in the arrays
 
   // The properties of the space on which repairs depend.

@@ -126,7 +126,7 @@ protected:
   std::vector<Position_2> m_target_positions;
   bool m_have_stopped = false;
   std::vector<std::pair<Vertex_index, Stored_point>> m_moved; // single points, with former places
-  bool m_is_frame = false;                             // the other arrays hold the previous frame
+  bool m_is_frame = false; // the other arrays hold the previous frame
   bool m_are_exact = true;
   bool m_were_exact = true; // the previous positions, while a call knows them
 };

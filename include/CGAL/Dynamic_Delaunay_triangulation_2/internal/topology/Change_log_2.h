@@ -19,7 +19,7 @@ struct Change_log_2
   bool everything_is_new = true;
   std::vector<Edge_index> new_edges;
   std::vector<Vertex_index> relocated; // vertices put into other faces, or given by another image
-  Renumberings renumberings;    // meaningless if everything is new
+  Renumberings renumberings;           // meaningless if everything is new
 
   void clear()
   {

@@ -469,7 +469,7 @@ private:
 
   const State& m_state;
   Tools m_tools;
-  Update_context_2<State>& m_context; // that of the tools
+  Update_context_2<State>& m_context;     // that of the tools
   std::vector<Edge_index> m_edges_around; // points that moved alone
   std::vector<Point_id> m_parted;         // covered points that have left their vertices, ascending
   bool m_is_certified = true;

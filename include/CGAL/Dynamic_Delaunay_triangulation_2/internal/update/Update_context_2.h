@@ -65,7 +65,7 @@ public:
   Repair_budget_2 budget;
   Classification classification;
   std::vector<Vertex_index> padded, border; // vertices
-  bool is_exact = true;              // whether the classifier is exact
+  bool is_exact = true;                     // whether the classifier is exact
 
   Update_report_2& report() { return *m_report; }
   bool has_rebuilt() const { return m_report->rebuilt(); }

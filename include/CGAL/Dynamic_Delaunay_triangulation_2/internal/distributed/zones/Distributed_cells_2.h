@@ -172,7 +172,7 @@ private:
   typename Points::Dynamic::Frame m_frame;
   std::vector<std::uint8_t> m_are_owned; // by vertices
   Column<Vertex_index, Index> m_labels;
-  std::vector<bool> m_are_inner;         // by edges
+  std::vector<bool> m_are_inner; // by edges
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
