@@ -941,8 +941,9 @@ void try_flips_in_parts(
 {
   using State = typename internal::Triangulation_types_2<Dynamic>::State;
   const Points points = Cloud<Epick>(20).uniform(fewer);
-  std::vector<std::uint32_t> ids(points.size());
-  std::iota(ids.begin(), ids.end(), 0u);
+  using namespace CGAL::Dynamic_Delaunay_triangulations_2;
+  std::vector<Point_id> ids(points.size());
+  std::iota(ids.begin(), ids.end(), Point_id(0));
   State state(argument);
   typename State::Builder(state).build_with({}, ids, points);
   internal::Topology_editor_2<State> editor(state);
@@ -950,9 +951,9 @@ void try_flips_in_parts(
   const internal::Topology_parts_2 topology(state.arrays(), vertices, parts);
   std::size_t flips = 0, hidden = 0, between = 0;
   editor.flip_in_parts(topology, false, most, [&](std::size_t part, const auto& try_flip) {
-    for (std::uint32_t e = 0; e < state.arrays().number_of_edges(); ++e) {
+    for (Edge_index e(0); e < state.arrays().number_of_edges(); ++e) {
       const auto edge = state.arrays().edge(e);
-      const auto is_in_part = [&](std::uint32_t v) {
+      const auto is_in_part = [&](Vertex_index v) {
         return v / ((vertices + parts - 1) / parts) == part;
       };
       const bool is_shown = edge.source != edge.target;

@@ -242,7 +242,7 @@ private:
     ids().place_representative(id, Vertex_index(1));
     Periodic_faces_2 faces;
     faces.apexes.assign(6, Vertex_index(1));
-    for (const Index twin : {4, 5, 3, 2, 0, 1})
+    for (const int twin : {4, 5, 3, 2, 0, 1})
       faces.twins.emplace_back(twin);
     faces.shifts.assign({no_shift, r, r + t, no_shift, r + t, t});
     write_faces(faces);
