@@ -266,6 +266,8 @@ private:
     return m_state.number_of_vertices() < State::min_vertices + representatives;
   }
 
+  // Beside many covered points each change counts as more than one: frames in which many of them
+  // part are triangulated anew.
   bool are_too_many(std::size_t changes) const
   {
     constexpr std::size_t compared_at_the_price_of_a_change = 512;
