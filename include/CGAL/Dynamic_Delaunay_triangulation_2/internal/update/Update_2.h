@@ -266,15 +266,11 @@ private:
     return m_state.number_of_vertices() < State::min_vertices + representatives;
   }
 
-  // Beside many covered points each change counts as more than one: frames in which many of them
-  // part are triangulated anew.
   bool are_too_many(std::size_t changes) const
   {
-    constexpr std::size_t compared_at_the_price_of_a_change = 512;
-    const std::size_t covered = m_state.ids().number_of_covered();
-    const std::size_t searches = changes * covered / compared_at_the_price_of_a_change;
-    return changes > 0 && Cost_model_2::changes(changes + searches, m_state.number_of_vertices()) >
-                              m_context.price_of_rebuild() + Cost_model_2::rebuild(covered);
+    return changes > 0 && Cost_model_2::changes(changes, m_state.number_of_vertices()) >
+                              m_context.price_of_rebuild() +
+                                  Cost_model_2::rebuild(m_state.ids().number_of_covered());
   }
 
   void rebuild(Change& change, Rebuild_reason_2 reason, Update_report_2& report)
