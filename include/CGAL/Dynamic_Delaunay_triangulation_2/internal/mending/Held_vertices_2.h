@@ -72,11 +72,12 @@ public:
       });
     }
     hold_in_parts(most);
-    const auto may_hold = [](Vertex_index) { return true; };
+    const auto in_parts = std::ptrdiff_t(m_held.size());
     m_left.clear();
-    hold_vertices_of(m_inverted, m_held, most, may_hold, m_left);
-    std::sort(m_held.begin(), m_held.end(), // nearly a spatial order
-              [](const Held& a, const Held& b) { return a.vertex < b.vertex; });
+    hold_vertices_of(
+        m_inverted, m_held, most, [](Vertex_index) { return true; }, m_left);
+    std::sort(m_held.begin() + in_parts, m_held.end()); // nearly a spatial order
+    std::inplace_merge(m_held.begin(), m_held.begin() + in_parts, m_held.end());
     return m_inverted.empty() && m_left.empty() && m_held.size() <= most;
   }
 
@@ -88,7 +89,7 @@ public:
                            [&](std::size_t i, std::size_t beyond, std::vector<Edge_index>& some) {
                              std::vector<Edge_index> edges;
                              for (; i < beyond; ++i) {
-                               prefetch_stars(i);
+                               prefetch_stars(i, beyond);
                                append_edges_that_see(m_held[i].vertex, edges);
                              }
                              typename State::Edge_test(m_state).append_unproved(edges, some);
@@ -108,7 +109,7 @@ public:
     std::size_t kept = 0;
     bool has_any_moved = false;
     for (std::size_t i = 0; i < m_held.size(); ++i) {
-      prefetch_stars(i);
+      prefetch_stars(i, m_held.size());
       Held& held = m_held[i];
       if (held.progress == Progress::WAITING) {
         m_changed.clear();
@@ -140,7 +141,7 @@ public:
     };
     const auto beyond = std::size_t(find(topology.begin(part + 1)));
     for (auto i = std::size_t(find(topology.begin(part))); i < beyond; ++i) {
-      prefetch_stars(i);
+      prefetch_stars(i, beyond);
       Held& held = m_held[i];
       if (is_to_be_taken_out(held) || !topology.has_star(part, held.vertex))
         continue;
@@ -197,6 +198,8 @@ private:
     bool goes_far;
     Progress progress;
     Stored_point target;
+
+    bool operator<(const Held& other) const { return vertex < other.vertex; }
   };
 
   struct Part
@@ -231,9 +234,9 @@ private:
     arrays.prefetch_face_beyond(edges[i + near_ahead]);
   }
 
-  // Before every eighth held vertex, fetches what the next eight have around them. Walks around all
-  // of them in step, so that each step waits for memory once.
-  void prefetch_stars(std::size_t first) const
+  // Before every eighth held vertex, fetches what the next eight have around them, but none from
+  // `beyond` on. Walks around all of them in step, so that each step waits for memory once.
+  void prefetch_stars(std::size_t first, std::size_t beyond) const
   {
     constexpr std::size_t stretch = 8, usual_degree = 6;
     if (first % stretch != 0)
@@ -241,7 +244,7 @@ private:
     const auto& arrays = m_state.arrays();
     const Position_2* const positions = m_state.positions().data();
     std::array<Halfedge_index, stretch> corners;
-    const std::size_t number = (std::min)(stretch, m_held.size() - first);
+    const std::size_t number = (std::min)(stretch, beyond - first);
     for (std::size_t i = 0; i < number; ++i) {
       corners[i] = arrays.corner(m_held[first + i].vertex);
       arrays.prefetch_face(corners[i]);
@@ -421,8 +424,8 @@ private:
     return farthest != null_index ? farthest : carried;
   }
 
-  // Where many faces are inverted, holds vertices whose stars are inside of a part. Threads share
-  // the parts. Leaves the faces that are not right even so.
+  // Where many faces are inverted, holds vertices whose stars are inside of a part, in ascending
+  // order. Threads share the parts. Leaves the faces that are not right even so.
   void hold_in_parts(std::size_t most)
   {
     const Topology_parts_2 topology(m_state);
@@ -440,6 +443,7 @@ private:
       const auto may_hold = [&](Vertex_index v) { return topology.has_star(part, v); };
       Part& mine = m_parts[part];
       hold_vertices_of(mine.inverted, mine.held, 4 * most / topology.number(), may_hold, mine.left);
+      std::sort(mine.held.begin(), mine.held.end());
     });
     std::size_t number = 0;
     for (const Part& part : m_parts)

@@ -32,6 +32,10 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // zero, because a face's first corner has shift zero. So flips inside of parts change no shifts,
 // and do not change whether the corners of a side have different shifts.
 //
+// A thread may also move the vertices of its part that have all their neighbors there. No other
+// thread reads their positions: a vertex of an edge with both ends in another part has these ends
+// as neighbors, and flips inside of parts do not change which vertices of two parts are neighbors.
+//
 // Parts are ranges of vertex numbers. These are close in space as long as the numbers follow a
 // space-filling curve, which face numbers do for a shorter time, because every flip moves faces.
 class Topology_parts_2
@@ -87,9 +91,7 @@ public:
       m_arrays.prefetch_edge(edges[i + ahead]);
   }
 
-  // Whether v and its finite neighbors belong to the part. If only such vertices move while flips
-  // are made inside of parts, no thread reads the position of a vertex that another one moves: a
-  // vertex of an edge or a face with a vertex in another part has a neighbor there.
+  // Whether v and its finite neighbors belong to the part.
   bool has_star(std::size_t part, Vertex_index v) const
   {
     bool has = has_vertex(part, v);
