@@ -208,7 +208,7 @@ std::vector<std::int64_t> told_by(const Dynamic& dt)
   const auto tell = [&](const auto&... parts) { (append(told, parts), ...); };
   const auto frame = dt.frame();
   for (unsigned f = 0; f < frame.number_of_faces(); ++f)
-    tell(frame.face(f));
+    tell(frame.face(typename Dynamic::Frame::Face_index(f)));
   tell(-1);
   dt.for_each_face(tell);
   tell(-1);

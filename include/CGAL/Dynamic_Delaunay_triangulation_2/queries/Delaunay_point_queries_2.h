@@ -62,6 +62,7 @@ class Delaunay_point_queries_2
 {
   using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
+  using Point_id = Dynamic_Delaunay_triangulations_2::Point_id;
   using State = Dynamic_Delaunay_triangulations_2::internal::State_of_2<Dynamic>;
   using Query = Dynamic_Delaunay_triangulations_2::internal::Query_2<State>;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
@@ -348,10 +349,10 @@ private:
     const auto& ids = query.state().ids();
     for (const Site& site : m_found)
       call(ids.representative(State::vertex_of(site)), geometry.shift(site));
-    std::vector<Index> covered; // at all vertices that were found
+    std::vector<Point_id> covered; // at all vertices that were found
     for (const Site& site : m_found)
       ids.for_each_covered_at(State::vertex_of(site),
-                              [&](Index id, const auto&) { covered.push_back(id); });
+                              [&](Point_id id, const auto&) { covered.push_back(id); });
     make_distinct(covered); // a vertex may have been found at several sites
     for (const auto id : covered) {
       const auto v = ids.vertex(id);

@@ -136,7 +136,7 @@ public:
   {
     if (m_state->spans_plane())
       return m_state->arrays().for_each_neighbor(infinite_index, f);
-    for (Vertex_index v = 1; v <= m_state->number_of_vertices(); ++v)
+    for (Vertex_index v(1); v <= m_state->number_of_vertices(); ++v)
       f(v);
   }
 
@@ -283,7 +283,7 @@ public:
   void for_each_vertex_at_border(const Function& f) const
   {
     if (m_state->has_gap())
-      for (Face_index i = 0; i < m_state->arrays().number_of_faces(); ++i)
+      for (Face_index i(0); i < m_state->arrays().number_of_faces(); ++i)
         if (m_state->is_in_gap(i))
           for (const Vertex_index v : m_state->face(i))
             f(v);
