@@ -193,7 +193,7 @@ Dynamic restored(const Dynamic& original)
 template <class Part>
 void append(std::vector<std::int64_t>& numbers, const Part& part)
 {
-  if constexpr (std::is_integral_v<Part>)
+  if constexpr (std::is_convertible_v<const Part&, std::int64_t>)
     numbers.push_back(std::int64_t(part));
   else
     for (const auto& number : part)

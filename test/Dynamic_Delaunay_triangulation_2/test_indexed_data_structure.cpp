@@ -748,8 +748,9 @@ void expect_unchanged_unless_values_are_copied(const Change& change)
     Rarely_copied::copies_left = 1 << 30;
     ASSERT_TRUE(dt.is_valid(true));
     for (const auto v : dt.tds().vertex_handles())
-      if (v != dt.infinite_vertex())
+      if (v != dt.infinite_vertex()) {
         ASSERT_EQ(value_of[v].value, dt.id(v) < points.size() ? int(dt.id(v)) : -1);
+      }
   }
 }
 

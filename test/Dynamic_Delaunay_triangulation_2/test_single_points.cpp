@@ -282,11 +282,12 @@ TEST(Single_changes, keep_a_valid_structure_where_faces_overlap)
 // map knows where each of them is.
 class Ids_and_their_vertices
 {
-  using Index = CGAL::Dynamic_Delaunay_triangulations_2::Index;
+  using Vertex_index = CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
+  using Point_id = CGAL::Dynamic_Delaunay_triangulations_2::Point_id;
   using Ids = CGAL::Dynamic_Delaunay_triangulations_2::internal::Point_ids_2<int>;
   struct Where
   {
-    Index vertex;
+    Vertex_index vertex;
     bool is_covered;
     int point; // of the covered ones
   };
@@ -302,8 +303,8 @@ public:
 
   void change()
   {
-    const Index id = any_id();
-    const Index vertex = m_model.at(id).vertex, other = any_vertex();
+    const Point_id id = any_id();
+    const Vertex_index vertex = m_model.at(id).vertex, other = any_vertex();
     const auto kind = m_random() % 8;
     if (kind == 0 || m_model.size() < 8)
       add_vertex(new_id());
@@ -323,8 +324,8 @@ public:
 
   void expect_all() const
   {
-    std::map<Index, std::set<Index>> covered_at;
-    std::vector<Index> covered;
+    std::map<Vertex_index, std::set<Point_id>> covered_at;
+    std::vector<Point_id> covered;
     ASSERT_EQ(m_ids.number_of_points(), m_model.size());
     for (const auto& [id, where] : m_model) {
       ASSERT_TRUE(m_ids.is_taken(id));
@@ -339,39 +340,42 @@ public:
         ASSERT_EQ(m_ids.representative(where.vertex), id);
     }
     ASSERT_EQ(m_ids.covered_ids(), covered);
-    for (Index v = 1; v <= m_ids.number_of_representatives(); ++v) {
-      std::vector<Index> found;
-      m_ids.for_each_covered_at(v, [&](Index id, int) { found.push_back(id); });
+    for (Vertex_index v(1); v <= m_ids.number_of_representatives(); ++v) {
+      std::vector<Point_id> found;
+      m_ids.for_each_covered_at(v, [&](Point_id id, int) { found.push_back(id); });
       std::sort(found.begin(), found.end());
-      const std::set<Index>& expected = covered_at[v];
-      ASSERT_EQ(found, std::vector<Index>(expected.begin(), expected.end()));
+      const std::set<Point_id>& expected = covered_at[v];
+      ASSERT_EQ(found, std::vector<Point_id>(expected.begin(), expected.end()));
     }
   }
 
 private:
-  Index any_id()
+  Point_id any_id()
   {
     return std::next(m_model.begin(), std::ptrdiff_t(m_random() % m_model.size()))->first;
   }
-  Index any_vertex() { return 1 + Index(m_random() % m_ids.number_of_representatives()); }
-
-  Index new_id()
+  Vertex_index any_vertex()
   {
-    std::vector<Index> ids;
+    return Vertex_index(1 + m_random() % m_ids.number_of_representatives());
+  }
+
+  Point_id new_id()
+  {
+    std::vector<Point_id> ids;
     m_ids.list_next_ids(1, ids);
     m_ids.reserve(ids);
     return ids.front();
   }
 
-  void add_vertex(Index id)
+  void add_vertex(Point_id id)
   {
     m_ids.append_vertex();
-    const Index vertex = m_ids.number_of_representatives();
+    const Vertex_index vertex(m_ids.number_of_representatives());
     m_ids.place_representative(id, vertex);
     m_model[id] = {vertex, false, 0};
   }
 
-  void cover(Index id, Index vertex)
+  void cover(Point_id id, Vertex_index vertex)
   {
     const int point = int(m_random() % 100);
     m_ids.place_covered(id, vertex, point);
@@ -379,15 +383,15 @@ private:
   }
 
   // Makes the smallest id whose point is even the representative.
-  void exchange_representative(Index vertex)
+  void exchange_representative(Vertex_index vertex)
   {
     const auto is_even = [](int point) { return point % 2 == 0; };
-    const Index id = m_ids.find_covered_at(vertex, is_even);
+    const Point_id id = m_ids.find_covered_at(vertex, is_even);
     const auto expected = std::find_if(m_model.begin(), m_model.end(), [&](const auto& entry) {
       const Where& where = entry.second;
       return where.vertex == vertex && where.is_covered && is_even(where.point);
     });
-    constexpr Index none = CGAL::Dynamic_Delaunay_triangulations_2::internal::null_index;
+    constexpr Point_id none = CGAL::Dynamic_Delaunay_triangulations_2::internal::null_index;
     ASSERT_EQ(id, expected == m_model.end() ? none : expected->first);
     if (id == none)
       return;
@@ -396,7 +400,7 @@ private:
     expected->second.is_covered = false;
   }
 
-  void merge(Index goes, Index stays)
+  void merge(Vertex_index goes, Vertex_index stays)
   {
     m_model[m_ids.representative(goes)] = {goes, true, 5};
     m_ids.merge(goes, stays, 5);
@@ -406,14 +410,14 @@ private:
     drop(goes);
   }
 
-  void remove(Index id)
+  void remove(Point_id id)
   {
     const Where where = m_model.at(id);
     if (where.is_covered)
       m_ids.remove_covered(id);
     else {
       bool is_alone = true;
-      m_ids.for_each_covered_at(where.vertex, [&](Index, int) { is_alone = false; });
+      m_ids.for_each_covered_at(where.vertex, [&](Point_id, int) { is_alone = false; });
       if (!is_alone)
         return;
       m_ids.remove_representative(id);
@@ -423,9 +427,9 @@ private:
       drop(where.vertex);
   }
 
-  void drop(Index vertex)
+  void drop(Vertex_index vertex)
   {
-    const Index last = m_ids.number_of_representatives();
+    const Vertex_index last(m_ids.number_of_representatives());
     m_ids.move_last_vertex_to(vertex);
     for (auto& [id, where] : m_model)
       if (where.vertex == last)
@@ -434,7 +438,7 @@ private:
 
   std::mt19937 m_random;
   Ids m_ids;
-  std::map<Index, Where> m_model;
+  std::map<Point_id, Where> m_model;
 };
 
 TEST(Covered_points, merge_part_and_get_other_vertices_and_numbers_as_a_map_does)
