@@ -349,12 +349,12 @@ private:
     const auto& ids = query.state().ids();
     for (const Site& site : m_found)
       call(ids.representative(State::vertex_of(site)), geometry.shift(site));
-    std::vector<Point_id> covered; // at all vertices that were found
+    m_covered.clear();
     for (const Site& site : m_found)
       ids.for_each_covered_at(State::vertex_of(site),
-                              [&](Point_id id, const auto&) { covered.push_back(id); });
-    make_distinct(covered); // a vertex may have been found at several sites
-    for (const auto id : covered) {
+                              [&](Point_id id, const auto&) { m_covered.push_back(id); });
+    make_distinct(m_covered); // a vertex may have been found at several sites
+    for (const auto id : m_covered) {
       const auto v = ids.vertex(id);
       m_found.for_each_at(v, [&](const Site& site) {
         call(id, geometry.shift(site) + geometry.shift_to(v, ids.covered_point(id)));
@@ -387,7 +387,8 @@ private:
   const Dynamic* m_dt;
   mutable Vertex_index m_last{1}; // the vertex found by the last walk
   mutable Dynamic_Delaunay_triangulations_2::internal::Site_set_2<Site> m_found;
-  mutable std::vector<Site> m_open; // sites whose neighbors flood() has still to visit
+  mutable std::vector<Site> m_open;        // sites whose neighbors flood() has still to visit
+  mutable std::vector<Point_id> m_covered; // at the vertices that were found
 };
 
 } // namespace CGAL

@@ -87,7 +87,7 @@ public:
   template <class Function>
   void for_each_duplicate(const Function& f) const
   {
-    m_frame.for_each_duplicate(f);
+    state().ids().for_each_covered([&](auto id, const auto&...) { f(id); });
   }
 
   // Calls f(number, first, beyond) for parts of the ids, or of the cells.

@@ -48,13 +48,26 @@ private:
   std::string m_name;
 };
 
+// The value of a new element: always the same one, or one of its own, made by default.
 template <class T>
+struct Same_value_2
+{
+  const T& operator()() const { return value; }
+  T value;
+};
+template <class T>
+struct Own_value_2
+{
+  T operator()() const { return T(); }
+};
+
+template <class T, class Value_of_new = Same_value_2<T>>
 class Property_2 : public Property_base_2
 {
 public:
   using reference = typename std::vector<T>::reference;
 
-  explicit Property_2(std::string name = std::string(), const T& value_of_new = T())
+  explicit Property_2(std::string name = std::string(), const Value_of_new& value_of_new = {})
     : Property_base_2(std::move(name))
     , m_value_of_new(value_of_new)
   {
@@ -77,18 +90,25 @@ public:
   }
   void grow(std::size_t number) override
   {
-    m_values.resize((std::max)(number, m_values.size()), m_value_of_new);
+    while (m_values.size() < number)
+      m_values.push_back(m_value_of_new());
   }
-  void shrink(std::size_t number) noexcept override { m_values.resize(number, m_value_of_new); }
+  void shrink(std::size_t number) noexcept override
+  {
+    m_values.erase(m_values.begin() + std::ptrdiff_t(number), m_values.end());
+  }
   void copy(Index from, Index to) override
   {
-    m_values[to] = from == null_index ? m_value_of_new : m_values[from];
+    if (from == null_index)
+      m_values[to] = m_value_of_new();
+    else
+      m_values[to] = m_values[from];
   }
   void move(Index from, Index to) override { m_values[to] = std::move(m_values[from]); }
 
 private:
   std::vector<T> m_values;
-  T m_value_of_new;
+  Value_of_new m_value_of_new;
 };
 
 // A property map from handles to values, which the storage owns.
@@ -150,7 +170,7 @@ public:
       if (auto* const found = dynamic_cast<Property_2<T>*>(property.get()))
         if (found->name() == name)
           return {Map(found), false};
-    auto added = std::make_unique<Property_2<T>>(name, value);
+    auto added = std::make_unique<Property_2<T>>(name, Same_value_2<T>{value});
     added->grow(m_size);
     const Map map(added.get());
     m_properties.push_back(std::move(added));
@@ -222,7 +242,7 @@ private:
       std::invoke(f, *property, arguments...);
   }
 
-  std::conditional_t<has_infos, Property_2<Info>, Nothing> m_infos;
+  std::conditional_t<has_infos, Property_2<Info, Own_value_2<Info>>, Nothing> m_infos;
   Values m_properties;
   std::size_t m_size = 0;
 };
