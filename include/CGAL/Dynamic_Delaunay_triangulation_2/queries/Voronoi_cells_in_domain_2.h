@@ -69,7 +69,7 @@ from its point, to its area; for a point that is two extents of the domain away,
 within its radius, of the squared extent of the domain to that area. Areas are never negative. Exact
 predicates find what walls hide.
 
-An object keeps its memory. Threads share the points if the triangulation has the `Parallel_tag`;
+An object keeps its memory, but for what cutting by the domain takes. Threads share the points if the triangulation has the `Parallel_tag`;
 the result is the same. Nothing of this is compiled unless its header is included.
 
 \cgalExample{Dynamic_Delaunay_triangulation_2/crowd_densities.cpp}

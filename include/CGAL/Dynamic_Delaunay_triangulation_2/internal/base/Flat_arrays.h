@@ -193,13 +193,14 @@ void remove_by_parts(std::vector<Index_of_kind>& indices, std::size_t least, con
 }
 
 // Appends what append(i, beyond, list) appends for all parts [i, beyond) of a range, in their
-// order. Threads share the parts.
+// order. Threads share the parts. What is appended may depend on where a part begins, as on a torus
+// edges across the border of the cell follow those that are tested in lanes.
 template <class Parts, class Element, class Append>
 void append_by_parts(std::size_t size, std::size_t least, std::vector<Element>& list,
                      const Append& append)
 {
   const std::size_t parts = Parts::number(size, least);
-  if (!Parts::are_shared(parts))
+  if (parts == 1)
     return append(std::size_t(0), size, list);
   std::vector<std::vector<Element>> lists(parts);
   Parts::for_each(size, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
