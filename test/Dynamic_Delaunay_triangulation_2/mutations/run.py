@@ -5,7 +5,8 @@
 
 A guard that no test misses is not tested, or not needed. Each broken header is put in front of the right one; a test
 that fails, crashes or does not end has noticed. An edit that does not compile is a mistake in guards.toml. Compilers
-take most of the time: one to three minutes a guard on one core.
+take most of the time. Clang, which is taken where it is there, compiles the headers of others once: test_checkpoint
+then takes 19 seconds, 29 without that, and 52 with g++.
 """
 
 import argparse
@@ -28,7 +29,10 @@ PACKAGE = "Dynamic_Delaunay_triangulation_2"
 INTERNAL = ROOT / "include" / "CGAL" / PACKAGE / "internal"
 OPTIONS = ("-std=c++17 -O0 -frounding-math -D_GLIBCXX_ASSERTIONS -DNOMINMAX -DCGAL_USE_GMPXX=1 "
            "-DCGAL_LINKED_WITH_TBB").split()
-COMPILER = os.environ.get("CXX", "g++")
+COMPILER = os.environ.get("CXX") or ("clang++" if shutil.which("clang++") else "g++")
+FOREIGN_HEADERS = ("gtest/gtest.h CGAL/Exact_predicates_inexact_constructions_kernel.h "
+                   "CGAL/Exact_predicates_exact_constructions_kernel.h CGAL/Delaunay_triangulation_2.h "
+                   "CGAL/Triangulation_vertex_base_with_info_2.h tbb/parallel_for.h random map set regex fstream sstream")
 RUNNER_SOURCES = ["Csv_writer", "Method_choice", "Number_text", "Output_file", "Progress", "Table", "Text_input"]
 MUTATIONS_OF_CORPUS = 300
 PATIENCE = 600  # seconds that a test may run
@@ -106,8 +110,22 @@ def command_of(test, overlay, program):
     else:
         options = []
         libraries = ["-lgtest_main", "-lgtest"] + libraries
-    return ([COMPILER] + OPTIONS + options + [f"-I{folder}" for folder in folders]
+    return ([COMPILER] + OPTIONS + options + [f"-I{folder}" for folder in folders] + foreign_headers(tuple(options))
             + [str(written_for(test, program)), "-o", str(program)] + libraries)
+
+
+@functools.lru_cache
+def foreign_headers(options):
+    """What makes Clang take the headers of CGAL, GoogleTest and others as it has compiled them once."""
+    if "clang" not in COMPILER:
+        return []
+    folder = tempfile.mkdtemp()
+    atexit.register(shutil.rmtree, folder)
+    source, compiled = pathlib.Path(folder, "foreign.h"), f"{folder}/foreign.pch"
+    source.write_text("".join(f"#include <{header}>\n" for header in FOREIGN_HEADERS.split()))
+    subprocess.run([COMPILER] + OPTIONS + list(options) + ["-fpch-instantiate-templates", "-x", "c++-header", str(source),
+                    "-o", compiled], check=True)
+    return ["-include-pch", compiled]
 
 
 @functools.lru_cache
@@ -195,7 +213,8 @@ def main():
     if options.check:
         print(f"{len(guards)} edits fit")
         return
-    if options.unbroken and (failures := unbroken_failures(sorted({t for g in guards for t in g["tests"]}))):
+    programs = {t if is_robustness(t) else t.partition(":")[0] for guard in guards for t in guard["tests"]}
+    if options.unbroken and (failures := unbroken_failures(sorted(programs))):
         sys.exit("without a mutation: " + "; ".join(failures))
     survivors = 0
     print("| guard | header | killed by |\n|---|---|---|", flush=True)
