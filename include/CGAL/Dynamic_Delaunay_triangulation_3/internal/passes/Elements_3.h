@@ -1,0 +1,63 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PASSES_ELEMENTS_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PASSES_ELEMENTS_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Index_of.h>
+
+#include <array>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3 {
+
+using Dynamic_Delaunay_triangulations_2::Index;
+using Dynamic_Delaunay_triangulations_2::Index_of;
+using Dynamic_Delaunay_triangulations_2::Point_id;
+using Dynamic_Delaunay_triangulations_2::Vertex_index;
+
+/// A tetrahedron, or a hull facet with the infinite vertex.
+using Cell_index = Index_of<struct Cell_element>;
+/// A vertex in its cell; it also stands for the facet opposite to it. Those of cell c have the
+/// numbers 4c to 4c + 3.
+using Corner_index = Index_of<struct Corner_element>;
+
+/// The coordinates of a vertex: exact where the kernel's coordinates are doubles, the nearest
+/// doubles elsewhere. Four doubles long, so that each loads into one register of AVX.
+struct alignas(32) Position_3
+{
+  double x, y, z;
+  double unused = 0;
+};
+
+namespace internal {
+
+using Dynamic_Delaunay_triangulations_2::internal::Column;
+using Dynamic_Delaunay_triangulations_2::internal::infinite_index;
+using Dynamic_Delaunay_triangulations_2::internal::null_index;
+
+using Vertices_3 = std::array<Vertex_index, 4>;
+
+inline Position_3 operator+(const Position_3& p, const Position_3& v)
+{
+  return {p.x + v.x, p.y + v.y, p.z + v.z};
+}
+inline Position_3 operator-(const Position_3& p, const Position_3& q)
+{
+  return {p.x - q.x, p.y - q.y, p.z - q.z};
+}
+inline Position_3 operator*(double factor, const Position_3& v)
+{
+  return {factor * v.x, factor * v.y, factor * v.z};
+}
+inline double squared_length(const Position_3& v)
+{
+  return v.x * v.x + v.y * v.y + v.z * v.z;
+}
+
+} // namespace internal
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PASSES_ELEMENTS_3_H

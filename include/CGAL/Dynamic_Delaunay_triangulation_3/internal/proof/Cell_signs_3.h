@@ -1,0 +1,103 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PROOF_CELL_SIGNS_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PROOF_CELL_SIGNS_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Cell_filter_3.h>
+
+#include <array>
+#include <utility>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// The exact signs that decide cells and facets. A finite cell has the orientation of its vertices,
+// an infinite one that of the cone over its hull facet, as the origin sees it: the origin takes the
+// place of the infinite vertex, on the other side of the facet, so the sign changes.
+template <class State>
+class Cell_signs_3
+{
+  using Point = typename State::Point;
+
+public:
+  explicit Cell_signs_3(const State& state)
+    : m_state(state)
+    , m_orientation(state.traits.orientation_3_object())
+    , m_side_of_sphere(state.traits.side_of_oriented_sphere_3_object())
+  {
+  }
+
+  // 1 if the cell is positive, -1 if it is inverted, 0 if it is flat.
+  int of(const Vertices_3& v) const
+  {
+    for (int i = 0; i < 4; ++i)
+      if (v[i] == infinite_index)
+        return -sign_from_origin(v, i);
+    return int(m_orientation(point(v[0]), point(v[1]), point(v[2]), point(v[3])));
+  }
+  bool is_positive(const Vertices_3& v) const { return of(v) > 0; }
+
+  // The sign of the cell if `other` took one of the places.
+  int with(Vertices_3 v, int place, Vertex_index other) const
+  {
+    v[place] = other;
+    return of(v);
+  }
+
+  // 1 if `other` is strictly inside of the sphere of a positive finite cell, 0 if it is on it.
+  int side_of_sphere(const Vertices_3& v, Vertex_index other) const
+  {
+    if (m_state.positions_are_exact)
+      if (const int sign = filtered_side_of_sphere(v, other))
+        return sign;
+    return int(m_side_of_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), point(other)));
+  }
+
+  // Whether the facet between two positive cells with all vertices but one in common is not locally
+  // Delaunay. `other` is the vertex of the second that the first does not have. Ties are legal.
+  bool is_illegal(const Vertices_3& first, Vertex_index other) const
+  {
+    for (int i = 0; i < 4; ++i)
+      if (first[i] == infinite_index)
+        return other != infinite_index && with(first, i, other) > 0;
+    return other != infinite_index && side_of_sphere(first, other) > 0;
+  }
+
+  // The orientation of the origin and three points.
+  int orientation_from_origin(const Point& p, const Point& q, const Point& r) const
+  {
+    return int(m_orientation(origin(), p, q, r));
+  }
+
+private:
+  decltype(auto) point(Vertex_index v) const { return m_state.point(v); }
+  Point origin() const { return Point(m_state.origin.x, m_state.origin.y, m_state.origin.z); }
+
+  // The side in floating point, or 0 if that does not prove it.
+  int filtered_side_of_sphere(const Vertices_3& v, Vertex_index other) const
+  {
+    const auto at = [this](Vertex_index w) {
+      const Position_3& p = m_state.positions.position(w);
+      return Points_in_lanes_3<double>{p.x, p.y, p.z};
+    };
+    const Points_in_lanes_3<double> a = at(v[0]);
+    return Cell_filter_in_lanes_3<double>(at(v[1]) - a, at(v[2]) - a, at(v[3]) - a)
+        .side_of_sphere(at(other) - a);
+  }
+
+  int sign_from_origin(const Vertices_3& v, int place) const
+  {
+    const auto at = [&](int i) -> Point { return i == place ? origin() : Point(point(v[i])); };
+    return int(m_orientation(at(0), at(1), at(2), at(3)));
+  }
+
+  const State& m_state;
+  typename State::Traits::Orientation_3 m_orientation;
+  typename State::Traits::Side_of_oriented_sphere_3 m_side_of_sphere;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PROOF_CELL_SIGNS_3_H

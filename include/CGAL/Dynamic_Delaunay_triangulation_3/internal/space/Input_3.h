@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_SPACE_INPUT_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_SPACE_INPUT_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Positions_3.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// The input of a call, read and checked.
+template <class Point>
+struct Change_3
+{
+  bool is_frame = false;        // all points have new positions, which are staged
+  std::vector<Point_id> gone;   // distinct ids of points to remove, not in a frame
+  std::vector<Point_id> coming; // ids of points to insert, and their positions
+  std::vector<Point> coming_points;
+  std::vector<Point_id> moved; // distinct ids of points that move alone, not in a frame
+  std::vector<Point> moved_points;
+};
+
+// The positions of a frame before they count.
+template <class Point>
+struct Staged_positions_3
+{
+  Positions_3<Point> positions;
+  std::vector<Point> covered; // of covered points, by their numbers
+  bool are_exact = true;
+};
+
+// Reads and checks input before anything changes.
+template <class State>
+class Input_3
+{
+  using Point = typename State::Point;
+  using Ids = typename State::Ids;
+  using Parts = typename State::Parts;
+
+public:
+  // Cells have 4 corners each, which are numbered with 32 bits; there are up to 7 cells a point in
+  // simulations.
+  static constexpr std::size_t max_points = (std::size_t(1) << 27) - 1;
+
+  // Reads a frame.
+  template <class InputIterator, class PointMap>
+  static void stage(InputIterator first, InputIterator beyond, const PointMap& point_map,
+                    const State& state, Staged_positions_3<Point>& staged)
+  {
+    using Category = typename std::iterator_traits<InputIterator>::iterator_category;
+    if constexpr (std::is_convertible_v<Category, std::random_access_iterator_tag>) {
+      stage_in_any_order(first, beyond, point_map, state, staged);
+    } else {
+      std::vector<Point> points;
+      for (; first != beyond; ++first) {
+        if (points.size() == state.ids.number_of_ids())
+          throw Point_count_error_2(points.size(), points.size() + 1);
+        points.push_back(get(point_map, *first));
+      }
+      stage_in_any_order(points.begin(), points.end(), boost::typed_identity_property_map<Point>(),
+                         state, staged);
+    }
+  }
+
+  // Reads points to insert.
+  template <class InputIterator>
+  static void read_newcomers(InputIterator first, InputIterator beyond, const State& state,
+                             Change_3<Point>& change)
+  {
+    const std::size_t present = state.ids.number_of_points();
+    for (; first != beyond; ++first) {
+      if (present + change.coming_points.size() == max_points)
+        throw Point_limit_error_2(max_points + 1, max_points);
+      change.coming_points.push_back(*first);
+    }
+    state.ids.list_next_ids(change.coming_points.size(), change.coming);
+    for (std::size_t i = 0; i < change.coming.size(); ++i)
+      checked_position(change.coming_points[i], change.coming[i]);
+  }
+
+private:
+  template <class RandomAccessIterator, class PointMap>
+  static void stage_in_any_order(RandomAccessIterator first, RandomAccessIterator beyond,
+                                 const PointMap& point_map, const State& state,
+                                 Staged_positions_3<Point>& staged)
+  {
+    using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
+    const Ids& ids = state.ids;
+    if (const std::size_t given = std::size_t(beyond - first); given != ids.number_of_ids())
+      throw Point_count_error_2(ids.number_of_ids(), given);
+    staged.positions.resize(state.positions.number());
+    staged.covered.resize(ids.number_of_covered());
+    std::atomic<bool> are_right{true}, are_exact{true};
+    Parts::for_each(state.number_of_vertices(),
+                    [&](std::size_t, std::size_t begin, std::size_t end) {
+                      for (Vertex_index v(begin + 1); v <= end; ++v) {
+                        auto&& value = first[Difference(ids.representative(v))];
+                        const Point& p = get(point_map, value);
+                        if (!stage(p, are_exact, [&](const Position_3& position) {
+                              staged.positions.set(v, Place_3<Point>(position, p));
+                            }))
+                          are_right.store(false, std::memory_order_relaxed);
+                      }
+                    });
+    for (Index i = 0; i < ids.number_of_covered(); ++i) {
+      auto&& value = first[Difference(ids.covered_id(i))];
+      const Point& p = get(point_map, value);
+      if (!stage(p, are_exact, [&](const Position_3&) { staged.covered[i] = p; }))
+        are_right = false;
+    }
+    staged.are_exact = are_exact;
+    for (std::size_t id = 0; !are_right && id < ids.number_of_ids(); ++id)
+      if (ids.is_taken(id)) {
+        auto&& value = first[Difference(id)];
+        checked_position<Point>(get(point_map, value), id); // one of them throws
+      }
+  }
+
+  template <class Store>
+  static bool stage(const Point& p, std::atomic<bool>& are_exact, const Store& store)
+  {
+    const Position_3 position = approximation(p);
+    if (!is_within_limit(position))
+      return false;
+    if (!has_exact_position(p))
+      are_exact.store(false, std::memory_order_relaxed);
+    store(position);
+    return true;
+  }
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_SPACE_INPUT_3_H

@@ -1,0 +1,66 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_SPACE_TRIANGULATION_STATE_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_SPACE_TRIANGULATION_STATE_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Parallel_parts.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Positions_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Tetrahedra_arrays_3.h>
+
+#include <array>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Points, their ids, their cells, and the origin.
+//
+// The origin is a point strictly inside of the hull. An infinite cell is seen from there as a cone:
+// it is positive if the origin lies strictly beneath its hull facet. So finite and infinite cells
+// are tested and flipped in the same way, and a frame whose cells are all positive is a
+// triangulation if one ray from the origin meets a single hull facet.
+template <class GeomTraits, class ConcurrencyTag>
+class Triangulation_state_3
+{
+public:
+  using Traits = GeomTraits;
+  using Point = typename Traits::Point_3;
+  using Place = Place_3<Point>;
+  using Ids = Dynamic_Delaunay_triangulations_2::internal::Point_ids_2<Point>;
+  using Parts = Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<ConcurrencyTag>;
+
+  explicit Triangulation_state_3(const Traits& geometry = Traits())
+    : traits(geometry)
+  {
+    ids.reset(0);
+    positions.resize(1);
+    arrays.resize_vertices(1);
+  }
+
+  Index number_of_vertices() const { return ids.number_of_representatives(); } // finite ones
+  decltype(auto) point(Vertex_index v) const { return positions.point(v); }
+  bool coincide(const Point& p, const Point& q) const
+  {
+    return p.x() == q.x() && p.y() == q.y() && p.z() == q.z();
+  }
+
+  Traits traits;
+  Ids ids;
+  Positions_3<Point> positions;
+  bool positions_are_exact = true; // no point is rounded in the array of positions
+  Tetrahedra_arrays_3 arrays;
+  // Whether there are cells. Else the points are coplanar, and the edges and triangles of a
+  // Delaunay triangulation of their plane are in these lists.
+  bool spans_space = false;
+  std::vector<std::array<Vertex_index, 2>> flat_edges;
+  std::vector<std::array<Vertex_index, 3>> flat_triangles;
+  bool has_origin = false;
+  Position_3 origin{0, 0, 0};
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_SPACE_TRIANGULATION_STATE_3_H

@@ -1,0 +1,390 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_TOPOLOGY_TETRAHEDRA_ARRAYS_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_TOPOLOGY_TETRAHEDRA_ARRAYS_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// A triangulated 3-sphere in one flat array: for each cell its four vertices, and for each of its
+// corners the mirror corner, which lies opposite to the same facet in the neighbor. So the vertex
+// beyond a facet is found without a search. The infinite vertex has the number 0. All cells have
+// the same combinatorial orientation; they know no positions.
+class Tetrahedra_arrays_3
+{
+public:
+  struct Cell
+  {
+    Vertices_3 vertices;
+    std::array<Corner_index, 4> mirrors;
+  };
+
+  Index number_of_cells() const { return Index(m_cells.size()); }
+  Index number_of_vertices() const { return Index(m_corners.size()); } // the infinite one included
+
+  const Cell& cell(Cell_index c) const { return m_cells[c]; }
+  const Cell* cells() const { return m_cells.data(); }
+  const Vertices_3& vertices(Cell_index c) const { return m_cells[c].vertices; }
+  static Cell_index cell_of(Corner_index k) { return Cell_index(k / 4); }
+  static int place_of(Corner_index k) { return int(k % 4); }
+  static Corner_index corner(Cell_index c, int place) { return Corner_index(4 * c + Index(place)); }
+  Vertex_index vertex(Corner_index k) const { return vertices(cell_of(k))[place_of(k)]; }
+  Corner_index mirror(Corner_index k) const { return m_cells[cell_of(k)].mirrors[place_of(k)]; }
+  Cell_index neighbor(Cell_index c, int place) const { return cell_of(m_cells[c].mirrors[place]); }
+  // The vertex beyond the facet opposite to a corner.
+  Vertex_index apex(Corner_index k) const { return vertex(mirror(k)); }
+  // Some corner of a vertex that has cells.
+  Corner_index corner_of(Vertex_index v) const { return m_corners[v]; }
+
+  // Between changes no cell is free. Free ones have neither vertices nor mirrors.
+  bool is_free(Cell_index c) const { return vertices(c)[0] == null_index; }
+  bool is_infinite(Cell_index c) const { return place_of(c, infinite_index) < 4; }
+  // The place of a vertex in a cell, or 4.
+  int place_of(Cell_index c, Vertex_index v) const
+  {
+    const Vertices_3& w = vertices(c);
+    return w[0] == v ? 0 : w[1] == v ? 1 : w[2] == v ? 2 : w[3] == v ? 3 : 4;
+  }
+
+  // The place of a vertex that the cell has, found without branches.
+  static int place_of_known(const Cell& cell, Vertex_index v)
+  {
+    const Vertices_3& w = cell.vertices;
+    return int(w[1] == v) + 2 * int(w[2] == v) + 3 * int(w[3] == v);
+  }
+
+  // CHANGES ---------------------------------------------------------------------------------------
+
+  // Vertices keep their corners, which mean nothing until they have cells again.
+  void clear_cells()
+  {
+    m_cells.clear();
+    m_free.clear();
+    m_is_recording = false;
+  }
+  // Starts with so many vertices, the infinite one included, and no cells.
+  void reset(Index vertices)
+  {
+    clear_cells();
+    m_corners.assign(vertices, Corner_index(null_index));
+  }
+  void resize_vertices(Index number) { m_corners.resize(number, null_index); }
+
+  Cell_index make_cell()
+  {
+    Cell_index c;
+    if (m_free.empty()) {
+      if (m_cells.size() >= max_cells)
+        throw std::length_error("the triangulation would have more than 2^30 - 1 cells");
+      c = Cell_index(m_cells.size());
+      m_cells.push_back(free_cell());
+    } else {
+      c = m_free.back();
+      m_free.pop_back();
+    }
+    if (m_is_recording)
+      m_made.push_back(c);
+    return c;
+  }
+
+  void drop_cell(Cell_index c)
+  {
+    record(c);
+    m_cells[c] = free_cell();
+    (m_is_recording ? m_dropped : m_free).push_back(c);
+  }
+
+  void set_vertices(Cell_index c, const Vertices_3& v)
+  {
+    record(c);
+    m_cells[c].vertices = v;
+    for (int i = 0; i < 4; ++i)
+      m_corners[v[i]] = corner(c, i);
+  }
+
+  // Makes two corners each other's mirror.
+  void connect(Corner_index k, Corner_index l)
+  {
+    record(cell_of(k));
+    record(cell_of(l));
+    m_cells[cell_of(k)].mirrors[place_of(k)] = l;
+    m_cells[cell_of(l)].mirrors[place_of(l)] = k;
+  }
+
+  // Cells that a flip has made.
+  struct Flipped
+  {
+    std::array<Cell_index, 3> cells;
+    int number;
+  };
+
+  // Replaces the two cells at the facet opposite to k by three around the edge from the vertex of k
+  // to the one beyond.
+  Flipped flip_2_3(Corner_index k)
+  {
+    const Cell_index first = cell_of(k), second = cell_of(mirror(k));
+    const int top = place_of(k);
+    const Cell a = m_cells[first], b = m_cells[second];
+    const Vertex_index beyond = apex(k);
+    std::array<int, 3> around;
+    for (int i = 0, n = 0; i < 4; ++i)
+      if (i != top)
+        around[n++] = i;
+    Flipped flipped{{first, second, make_cell()}, 3};
+    std::array<Corner_index, 3> below;
+    for (int n = 0; n < 3; ++n)
+      below[n] = b.mirrors[place_of_known(b, a.vertices[around[n]])];
+    for (int n = 0; n < 3; ++n) {
+      Vertices_3 v = a.vertices;
+      v[around[n]] = beyond;
+      set_vertices(flipped.cells[n], v);
+    }
+    for (int n = 0; n < 3; ++n) {
+      connect(corner(flipped.cells[n], around[n]), a.mirrors[around[n]]);
+      connect(corner(flipped.cells[n], top), below[n]);
+      for (int m = 0; m < n; ++m)
+        connect(corner(flipped.cells[n], around[m]), corner(flipped.cells[m], around[n]));
+    }
+    return flipped;
+  }
+
+  // Replaces the three cells around an edge by two: the two at the facet opposite to k, and their
+  // common neighbor opposite to the vertex at `side` in the cell of k. The edge joins the other two
+  // vertices.
+  Flipped flip_3_2(Corner_index k, int side)
+  {
+    const Cell_index first = cell_of(k), second = cell_of(mirror(k)), third = neighbor(first, side);
+    const int top = place_of(k);
+    const Cell a = m_cells[first], b = m_cells[second], c = m_cells[third];
+    const Vertex_index beyond = apex(k);
+    int p = 0;
+    while (p == top || p == side)
+      ++p;
+    const int q = 6 - top - side - p;
+    const Vertex_index end_p = a.vertices[p], end_q = a.vertices[q];
+    const std::array<Corner_index, 3> at_p{a.mirrors[q], b.mirrors[place_of_known(b, end_q)],
+                                           c.mirrors[place_of_known(c, end_q)]};
+    const std::array<Corner_index, 3> at_q{a.mirrors[p], b.mirrors[place_of_known(b, end_p)],
+                                           c.mirrors[place_of_known(c, end_p)]};
+    Vertices_3 v = a.vertices, w = a.vertices;
+    v[q] = beyond;
+    w[p] = beyond;
+    drop_cell(third);
+    set_vertices(first, v);
+    set_vertices(second, w);
+    connect(corner(first, q), at_p[0]);
+    connect(corner(first, top), at_p[1]);
+    connect(corner(first, side), at_p[2]);
+    connect(corner(second, p), at_q[0]);
+    connect(corner(second, top), at_q[1]);
+    connect(corner(second, side), at_q[2]);
+    connect(corner(first, p), corner(second, q));
+    return {{first, second, null_index}, 2};
+  }
+
+  // Moves the last cells to the numbers of free ones.
+  void close_gaps()
+  {
+    std::sort(m_free.begin(), m_free.end());
+    for (const Cell_index c : m_free) {
+      drop_free_ones_at_end();
+      if (c >= m_cells.size())
+        break;
+      move_last_cell_to(c);
+    }
+    drop_free_ones_at_end();
+    m_free.clear();
+  }
+
+  // Gives the vertex `from`, whose star is given, the number `to`.
+  void renumber(Vertex_index from, Vertex_index to, const std::vector<Cell_index>& star)
+  {
+    for (const Cell_index c : star)
+      m_cells[c].vertices[place_of(c, from)] = to;
+    m_corners[to] = m_corners[from];
+  }
+  void pop_vertex() { m_corners.pop_back(); }
+
+  // Gives every vertex v the number numbers[v]; of `vertices` in all. Those without cells have
+  // null_index.
+  void renumber_all(const Column<Vertex_index, Vertex_index>& numbers, Index vertices)
+  {
+    m_corners.assign(vertices, Corner_index(null_index));
+    for (Cell_index c(0); c < number_of_cells(); ++c)
+      for (int i = 0; i < 4; ++i) {
+        Vertex_index& v = m_cells[c].vertices[i];
+        v = numbers[v];
+        m_corners[v] = corner(c, i);
+      }
+  }
+
+  // Takes cells in another order: the i-th is order[i].
+  void reorder(const std::vector<Cell_index>& order)
+  {
+    Column<Cell_index, Cell_index> number(m_cells.size(), Cell_index(0));
+    for (std::size_t i = 0; i < order.size(); ++i)
+      number[order[i]] = Cell_index(i);
+    Column<Cell_index, Cell> cells(m_cells.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      Cell& cell = cells[Cell_index(i)] = m_cells[order[i]];
+      for (Corner_index& k : cell.mirrors)
+        k = corner(number[cell_of(k)], place_of(k));
+    }
+    m_cells.swap(cells);
+    for (Corner_index& k : m_corners)
+      if (k != null_index)
+        k = corner(number[cell_of(k)], place_of(k));
+  }
+
+  // TRANSACTIONS ----------------------------------------------------------------------------------
+
+  // Between begin() and commit() or undo(), what is overwritten is recorded.
+  void begin()
+  {
+    CGAL_precondition(!m_is_recording);
+    m_is_recording = true;
+    m_record.clear();
+    m_made.clear();
+    m_dropped.clear();
+  }
+  void commit()
+  {
+    m_is_recording = false;
+    m_free.insert(m_free.end(), m_dropped.begin(), m_dropped.end());
+  }
+  void undo()
+  {
+    m_is_recording = false;
+    for (std::size_t i = m_record.size(); i-- > 0;)
+      m_cells[m_record[i].first] = m_record[i].second;
+    for (const Cell_index c : m_made)
+      m_cells[c] = free_cell();
+    for (const auto& [c, cell] : m_record)
+      if (!is_free(c))
+        for (int i = 0; i < 4; ++i)
+          m_corners[vertices(c)[i]] = corner(c, i);
+    m_free.insert(m_free.end(), m_made.begin(), m_made.end());
+  }
+  // Calls f(c) for each cell that was changed or made since begin() and exists; for some
+  // repeatedly.
+  template <class Function>
+  void for_each_changed(const Function& f) const
+  {
+    for (const auto& [c, cell] : m_record)
+      if (!is_free(c))
+        f(c);
+  }
+
+private:
+  static constexpr std::size_t max_cells = (std::size_t(1) << 30) - 1;
+
+  static Cell free_cell()
+  {
+    return {{null_index, null_index, null_index, null_index},
+            {null_index, null_index, null_index, null_index}};
+  }
+
+  void record(Cell_index c)
+  {
+    if (m_is_recording)
+      m_record.emplace_back(c, m_cells[c]);
+  }
+
+  void drop_free_ones_at_end()
+  {
+    while (!m_cells.empty() && m_cells.back().vertices[0] == null_index)
+      m_cells.pop_back();
+  }
+
+  void move_last_cell_to(Cell_index c)
+  {
+    const Cell_index last(m_cells.size() - 1);
+    const Cell cell = m_cells[last];
+    m_cells[c] = cell;
+    for (int i = 0; i < 4; ++i) {
+      const Corner_index mirror = cell.mirrors[i];
+      m_cells[cell_of(mirror)].mirrors[place_of(mirror)] = corner(c, i);
+      if (m_corners[cell.vertices[i]] == corner(last, i))
+        m_corners[cell.vertices[i]] = corner(c, i);
+    }
+    m_cells.pop_back();
+  }
+
+  Column<Cell_index, Cell> m_cells;
+  std::vector<Cell_index> m_free;
+  Column<Vertex_index, Corner_index> m_corners;
+
+  bool m_is_recording = false;
+  std::vector<std::pair<Cell_index, Cell>> m_record; // what was overwritten, in order
+  std::vector<Cell_index> m_made, m_dropped;
+};
+
+// Marks cells by one of two kinds of marks, and forgets all marks in constant time.
+class Cell_marks_3
+{
+public:
+  void clear(Index cells)
+  {
+    make_room(cells);
+    m_mark += 2;
+    if (m_mark == 0) { // all numbers are used up
+      std::fill(m_marks.begin(), m_marks.end(), 0);
+      m_mark = 2;
+    }
+  }
+  // For so many cells in all.
+  void make_room(Index cells)
+  {
+    if (m_marks.size() < cells)
+      m_marks.resize(cells + cells / 8 + 64, 0);
+  }
+  bool has(Cell_index c) const { return m_marks[c] >= m_mark; }
+  bool has(Cell_index c, Index kind) const { return m_marks[c] == m_mark + kind; }
+  // Whether the cell was not marked before.
+  bool insert(Cell_index c)
+  {
+    if (has(c))
+      return false;
+    insert(c, 0);
+    return true;
+  }
+  void insert(Cell_index c, Index kind) { m_marks[c] = m_mark + kind; }
+
+private:
+  Column<Cell_index, Index> m_marks;
+  Index m_mark = 0;
+};
+
+// Lists the cells around a vertex.
+inline void find_star(const Tetrahedra_arrays_3& arrays, Vertex_index v, Cell_marks_3& marks,
+                      std::vector<Cell_index>& star)
+{
+  star.clear();
+  marks.clear(arrays.number_of_cells());
+  const Cell_index first = Tetrahedra_arrays_3::cell_of(arrays.corner_of(v));
+  marks.insert(first);
+  star.push_back(first);
+  for (std::size_t n = 0; n < star.size(); ++n) {
+    const Tetrahedra_arrays_3::Cell& cell = arrays.cell(star[n]);
+    for (int i = 0; i < 4; ++i)
+      if (const Cell_index c = Tetrahedra_arrays_3::cell_of(cell.mirrors[i]);
+          cell.vertices[i] != v && marks.insert(c))
+        star.push_back(c);
+  }
+}
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_TOPOLOGY_TETRAHEDRA_ARRAYS_3_H

@@ -1,0 +1,313 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_UPDATE_WAITING_POINTS_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_UPDATE_WAITING_POINTS_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Vertex_insertion_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Vertex_removal_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Vertex_order_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Takes vertices out of cells that are Delaunay, and inserts points that wait, into such cells:
+// those of vertices that were taken out, covered points that have parted, and new ones.
+template <class State>
+class Waiting_points_3
+{
+  using Arrays = Tetrahedra_arrays_3;
+  using Point = typename State::Point;
+  using Place = Place_3<Point>;
+
+public:
+  // Keeps the array of former positions as long as that of the state.
+  Waiting_points_3(State& state, Positions_3<Point>& previous, Lawson_flips_3<State>& flips)
+    : m_state(state)
+    , m_previous(previous)
+    , m_flips(flips)
+    , m_insertion(state, state.arrays)
+    , m_removal(state, flips)
+  {
+  }
+
+  void clear()
+  {
+    m_pending.clear();
+    m_without_cells.clear();
+  }
+
+  // Removes points, also from the cells if these are to be mended. False if that has failed.
+  bool remove(const std::vector<Point_id>& gone, bool is_mending)
+  {
+    bool is_right = true;
+    for (const Point_id id : gone)
+      if (const Vertex_index v = remove_point(id); v != null_index) {
+        m_without_cells.push_back(v);
+        is_right = is_right && (!is_mending || take_out(v));
+      }
+    return is_right;
+  }
+
+  // Moves points alone: they are taken out, and wait to be inserted.
+  bool move(const Change_3<Point>& change, bool is_mending)
+  {
+    bool is_right = true;
+    for (std::size_t i = 0; i < change.moved.size(); ++i)
+      is_right = move_point(change.moved[i], change.moved_points[i], is_mending) && is_right;
+    return is_right;
+  }
+
+  // Takes out a vertex, which belongs to this place. False if that has failed.
+  bool take_out_for_long_way(Vertex_index v, const Place& place)
+  {
+    const Vertex_index near = some_neighbor(v);
+    if (!take_out(v))
+      return false;
+    m_state.positions.set(v, place);
+    m_pending.push_back({v, m_state.ids.representative(v), place, near});
+    return true;
+  }
+
+  // Points that no longer are where their representative is wait to be inserted. Returns their
+  // number.
+  std::size_t part_covered()
+  {
+    const std::size_t before = m_pending.size();
+    for (const Point_id id : m_state.ids.covered_ids()) {
+      const Point& point = m_state.ids.covered_point(id);
+      const Vertex_index v = m_state.ids.vertex(id);
+      if (m_state.coincide(point, m_state.point(v)))
+        continue;
+      m_pending.push_back({null_index, id, place_of(point), v});
+    }
+    return m_pending.size() - before;
+  }
+
+  void wait(Point_id id, const Point& point)
+  {
+    m_pending.push_back({null_index, id, place_of(point), null_index});
+  }
+
+  // Inserts all that wait. Returns how many of the vertices that were taken out coincide with
+  // others now. Then each vertex has cells.
+  std::size_t insert_all()
+  {
+    std::size_t merged = 0;
+    sort_pending();
+    m_has_start = false;
+    for (const Pending& pending : m_pending)
+      merged += insert(pending);
+    drop_vertices_without_cells();
+    return merged;
+  }
+
+private:
+  // A point that waits to be inserted: of a vertex that has no cells, or a new one.
+  struct Pending
+  {
+    Vertex_index vertex; // null_index if the point has none
+    Point_id id;
+    Place place;
+    Vertex_index near; // a vertex to start the search at, or null_index
+  };
+
+  static Place place_of(const Point& point) { return Place(approximation(point), point); }
+
+  // TAKING OUT ------------------------------------------------------------------------------------
+
+  // Returns the vertex that has lost its last point, or null_index.
+  Vertex_index remove_point(Point_id id)
+  {
+    auto& ids = m_state.ids;
+    if (!ids.is_representative(id)) {
+      ids.remove_covered(id);
+      return null_index;
+    }
+    const Vertex_index v = ids.vertex(id);
+    const Point_id heir = ids.find_covered_at(v, [](const Point&) { return true; });
+    if (heir != null_index) {
+      const Place place = place_of(ids.covered_point(heir));
+      ids.exchange_representative(heir, m_state.point(v));
+      m_state.positions.set(v, place);
+      ids.remove_covered(id);
+      return null_index;
+    }
+    ids.remove_representative(id);
+    return v;
+  }
+
+  bool move_point(Point_id id, const Point& point, bool is_mending)
+  {
+    auto& ids = m_state.ids;
+    const Vertex_index v = ids.vertex(id);
+    if (ids.is_representative(id))
+      if (const Point_id heir = ids.find_covered_at(v, [](const Point&) { return true; });
+          heir != null_index)
+        ids.exchange_representative(heir, m_state.point(v));
+    if (!ids.is_representative(id)) {
+      ids.covered_point(id) = point;
+      m_pending.push_back({null_index, id, place_of(point), v});
+      return true;
+    }
+    const Vertex_index near = is_mending ? some_neighbor(v) : Vertex_index(null_index);
+    const bool is_right = !is_mending || take_out(v);
+    m_state.positions.set(v, place_of(point));
+    m_state.positions_are_exact = m_state.positions_are_exact && has_exact_position(point);
+    m_pending.push_back({v, id, place_of(point), near});
+    return is_right;
+  }
+
+  bool take_out(Vertex_index v)
+  {
+    if (!m_removal.remove(v))
+      return false;
+    m_flips.run();
+    return m_flips.take_stuck().empty();
+  }
+
+  Vertex_index some_neighbor(Vertex_index v) const
+  {
+    for (const Vertex_index w :
+         m_state.arrays.vertices(Arrays::cell_of(m_state.arrays.corner_of(v))))
+      if (w != v && w != infinite_index)
+        return w;
+    return null_index;
+  }
+
+  // INSERTION -------------------------------------------------------------------------------------
+
+  // New ones come last, along a curve.
+  void sort_pending()
+  {
+    std::vector<Pending> fresh;
+    std::vector<Position_3> places;
+    const auto first_new = std::stable_partition(
+        m_pending.begin(), m_pending.end(), [](const Pending& p) { return p.near != null_index; });
+    for (auto p = first_new; p != m_pending.end(); ++p) {
+      fresh.push_back(*p);
+      places.push_back(p->place.position);
+    }
+    std::size_t n = 0;
+    for (const Index i : order_along_curve(places))
+      *(first_new + std::ptrdiff_t(n++)) = fresh[i];
+  }
+
+  // Whether a vertex that was taken out has merged with another one.
+  bool insert(const Pending& pending)
+  {
+    const Vertex_index v = pending.vertex != null_index ? pending.vertex : append_vertex(pending);
+    start_near(pending);
+    const Vertex_index other = m_insertion.insert(v);
+    auto& ids = m_state.ids;
+    if (other == null_index) {
+      if (pending.vertex == null_index)
+        ids.place_representative(pending.id, v);
+      return false;
+    }
+    m_without_cells.push_back(v);
+    if (pending.vertex == null_index) {
+      ids.place_covered(pending.id, other, pending.place.point());
+      return false;
+    }
+    ids.reserve_for_covered(1);
+    ids.merge(v, other, pending.place.point());
+    return true;
+  }
+
+  Vertex_index append_vertex(const Pending& pending)
+  {
+    const Vertex_index v(m_state.positions.number());
+    m_state.ids.reserve_for_vertex();
+    m_state.ids.append_vertex();
+    m_state.positions.resize(v + 1);
+    m_previous.resize(v + 1);
+    m_state.arrays.resize_vertices(v + 1);
+    m_state.positions.set(v, pending.place);
+    m_state.positions_are_exact =
+        m_state.positions_are_exact && has_exact_position(pending.place.point());
+    return v;
+  }
+
+  // The search starts at the vertex that is named, if it has cells, or else at the last insertion.
+  void start_near(const Pending& pending)
+  {
+    const Arrays& arrays = m_state.arrays;
+    if (pending.near != null_index && has_cells(pending.near))
+      m_insertion.start_at(Arrays::cell_of(arrays.corner_of(pending.near)));
+    else if (!std::exchange(m_has_start, true) || m_insertion.last() >= arrays.number_of_cells() ||
+             arrays.is_free(m_insertion.last()))
+      m_insertion.start_at(closest_of_sample(pending.place.position));
+  }
+
+  // Jump and walk (Mücke, Saias and Zhu 1996): a cell of the closest of n^(1/4) vertices.
+  Cell_index closest_of_sample(const Position_3& target) const
+  {
+    const Index vertices = m_state.arrays.number_of_vertices();
+    std::size_t number = 1;
+    while (number * number * number * number < vertices)
+      ++number;
+    Cell_index closest = null_index;
+    double smallest = 0;
+    for (std::size_t i = 0; i <= number; ++i)
+      if (const Vertex_index v(1 + (vertices - 1) * i / (number + 1));
+          v < vertices && has_cells(v)) {
+        const double distance = squared_length(m_state.positions.position(v) - target);
+        if (closest == null_index || distance < smallest) {
+          closest = Arrays::cell_of(m_state.arrays.corner_of(v));
+          smallest = distance;
+        }
+      }
+    for (Cell_index c(0); closest == null_index; ++c)
+      if (!m_state.arrays.is_free(c))
+        closest = c;
+    return closest;
+  }
+  bool has_cells(Vertex_index v) const
+  {
+    const Corner_index k = m_state.arrays.corner_of(v);
+    return k != null_index && Arrays::cell_of(k) < m_state.arrays.number_of_cells() &&
+           !m_state.arrays.is_free(Arrays::cell_of(k)) && m_state.arrays.vertex(k) == v;
+  }
+
+  // The last vertices take the numbers of those that have no points any more.
+  void drop_vertices_without_cells()
+  {
+    std::sort(m_without_cells.begin(), m_without_cells.end());
+    for (std::size_t i = m_without_cells.size(); i-- > 0;) {
+      const Vertex_index v = m_without_cells[i], last(m_state.positions.number() - 1);
+      if (v != last) {
+        find_star(m_state.arrays, last, m_marks, m_star);
+        m_state.arrays.renumber(last, v, m_star);
+        m_state.positions.set(v, m_state.positions.place(last));
+      }
+      m_state.ids.move_last_vertex_to(v);
+      m_state.arrays.pop_vertex();
+      m_state.positions.resize(last);
+      m_previous.resize(last);
+    }
+    m_without_cells.clear();
+  }
+
+  State& m_state;
+  Positions_3<Point>& m_previous;
+  Lawson_flips_3<State>& m_flips;
+  Vertex_insertion_3<State> m_insertion;
+  Vertex_removal_3<State> m_removal;
+  std::vector<Pending> m_pending;
+  std::vector<Vertex_index> m_without_cells; // vertices that have lost their points
+  bool m_has_start = false;                  // the last insertion is near to the next one
+  std::vector<Cell_index> m_star;
+  Cell_marks_3 m_marks;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_UPDATE_WAITING_POINTS_3_H

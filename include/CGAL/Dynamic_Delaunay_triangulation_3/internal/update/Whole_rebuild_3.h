@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_UPDATE_WHOLE_REBUILD_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_UPDATE_WHOLE_REBUILD_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Static_triangulator_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Vertex_order_3.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Triangulates all points anew, with new numbers of vertices.
+template <class State>
+class Whole_rebuild_3
+{
+  using Point = typename State::Point;
+  using Place = Place_3<Point>;
+
+public:
+  explicit Whole_rebuild_3(State& state)
+    : m_state(state)
+    , m_static(state)
+  {
+  }
+
+  // Triangulates all points anew. Each gets a vertex, in the order of the old ones, or along a
+  // curve; then those that coincide with others lose theirs. If memory runs out, no point is lost.
+  void run(const Change_3<Point>& change, bool is_order_lost)
+  {
+    std::vector<Located> points = all_points(change);
+    if (is_order_lost)
+      sort_along_curve(points);
+    take_over(points);
+    std::vector<std::pair<Vertex_index, Vertex_index>> covered;
+    m_static.triangulate(covered);
+    if (!covered.empty())
+      cover(points, covered);
+  }
+
+private:
+  struct Located
+  {
+    Point_id id;
+    Place place;
+  };
+
+  std::vector<Located> all_points(const Change_3<Point>& change) const
+  {
+    const auto& ids = m_state.ids;
+    std::vector<Located> points;
+    points.reserve(ids.number_of_points() + change.coming.size());
+    for (Vertex_index v(1); v < m_state.positions.number(); ++v)
+      if (ids.has_representative(v))
+        points.push_back({ids.representative(v), m_state.positions.place(v)});
+    for (const Point_id id : ids.covered_ids())
+      points.push_back({id, place_of(ids.covered_point(id))});
+    for (std::size_t i = 0; i < change.coming.size(); ++i)
+      if (!ids.is_taken(change.coming[i]))
+        points.push_back({change.coming[i], place_of(change.coming_points[i])});
+    return points;
+  }
+
+  static Place place_of(const Point& point) { return Place(approximation(point), point); }
+
+  // Gives each point a vertex of its own.
+  void take_over(const std::vector<Located>& points)
+  {
+    typename State::Ids ids;
+    Positions_3<Point> positions;
+    ids.reset(m_state.ids.number_of_ids());
+    positions.resize(Index(points.size()) + 1);
+    for (const Located& point : points)
+      positions.set(ids.add_representative(point.id), point.place);
+    ids.finish_numbering();
+    bool are_exact = true;
+    if constexpr (!is_three_doubles<Point>)
+      for (const Located& point : points)
+        are_exact = are_exact && has_exact_position(point.place.point());
+    m_state.positions.swap(positions);
+    std::swap(m_state.ids, ids);
+    m_state.positions_are_exact = are_exact;
+  }
+
+  // Takes the vertices from points that coincide with those of others.
+  void cover(const std::vector<Located>& points,
+             const std::vector<std::pair<Vertex_index, Vertex_index>>& covered)
+  {
+    Column<Vertex_index, Vertex_index> numbers(points.size() + 1, infinite_index);
+    for (const auto& [v, other] : covered)
+      numbers[v] = null_index;
+    typename State::Ids ids;
+    Positions_3<Point> positions;
+    ids.reset(m_state.ids.number_of_ids());
+    positions.resize(Index(points.size() - covered.size()) + 1);
+    for (Vertex_index v(1); v <= points.size(); ++v)
+      if (numbers[v] != null_index) {
+        numbers[v] = ids.add_representative(points[v - 1].id);
+        positions.set(numbers[v], points[v - 1].place);
+      }
+    for (const auto& [v, other] : covered)
+      ids.cover(points[v - 1].id, numbers[other], points[v - 1].place.point());
+    ids.finish_numbering();
+    m_state.arrays.renumber_all(numbers, Index(positions.number()));
+    for (auto& edge : m_state.flat_edges)
+      for (Vertex_index& v : edge)
+        v = numbers[v];
+    for (auto& triangle : m_state.flat_triangles)
+      for (Vertex_index& v : triangle)
+        v = numbers[v];
+    m_state.positions.swap(positions);
+    std::swap(m_state.ids, ids);
+  }
+
+  static void sort_along_curve(std::vector<Located>& points)
+  {
+    std::vector<Position_3> positions;
+    positions.reserve(points.size());
+    for (const Located& point : points)
+      positions.push_back(point.place.position);
+    std::vector<Located> sorted;
+    sorted.reserve(points.size());
+    for (const Index i : order_along_curve(positions))
+      sorted.push_back(points[i]);
+    points.swap(sorted);
+  }
+
+  State& m_state;
+  Static_triangulator_3<State> m_static;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_UPDATE_WHOLE_REBUILD_3_H

@@ -1,0 +1,367 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Triangulations of points in space.
+
+#include "space_operations.h"
+#include "space_oracle.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <list>
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_space {
+
+using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+using Dynamic = CGAL::Dynamic_Delaunay_triangulation_3<Epick>;
+using Point = Dynamic::Point;
+using Points = std::vector<Point>;
+using space_operations::Program;
+
+std::map<std::size_t, Point> by_id(const Points& points)
+{
+  std::map<std::size_t, Point> result;
+  for (std::size_t id = 0; id < points.size(); ++id)
+    result.emplace(id, points[id]);
+  return result;
+}
+
+Points random_points(std::size_t number, unsigned seed = 1)
+{
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  Points points;
+  for (std::size_t i = 0; i < number; ++i) {
+    const double x = coordinate(random), y = coordinate(random);
+    points.emplace_back(x, y, coordinate(random));
+  }
+  return points;
+}
+
+Points lattice(int edge)
+{
+  Points points;
+  for (int x = 0; x < edge; ++x)
+    for (int y = 0; y < edge; ++y)
+      for (int z = 0; z < edge; ++z)
+        points.emplace_back(x, y, z);
+  return points;
+}
+
+void expect_exact(const Dynamic& dt, const Points& points)
+{
+  space_oracle::expect_exact(dt, by_id(points));
+}
+
+// CREATION ----------------------------------------------------------------------------------------
+
+TEST(Few_points, have_the_dimension_that_they_span)
+{
+  const Points points{{0, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0.5, 0, 0},
+                      {0, 1, 0}, {1, 1, 0}, {0, 0, 1}};
+  const int dimensions[] = {-1, 0, 0, 1, 1, 2, 2, 3};
+  for (std::size_t number = 0; number <= points.size(); ++number) {
+    const Points some(points.begin(), points.begin() + std::ptrdiff_t(number));
+    const Dynamic dt(some);
+    EXPECT_EQ(dt.dimension(), dimensions[number]);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, some));
+  }
+}
+
+TEST(Few_points, rise_from_a_plane_and_fall_into_it)
+{
+  Points points = random_points(40);
+  Dynamic dt(points);
+  for (const double height : {0.0, 0.0, 1e-300, 1.0, 0.0, 1e-9, 0.5}) {
+    Points flat;
+    for (const Point& p : points)
+      flat.emplace_back(p.x(), p.y(), p.z() * height);
+    dt.update(flat);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, flat)) << height;
+  }
+}
+
+TEST(Points_in_space, are_triangulated_as_by_CGAL)
+{
+  for (const std::size_t number : {4u, 5u, 20u, 300u, 3000u})
+    ASSERT_NO_FATAL_FAILURE(expect_exact(Dynamic(random_points(number)), random_points(number)));
+}
+
+TEST(Points_in_space, may_form_a_lattice)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_exact(Dynamic(lattice(6)), lattice(6)));
+}
+
+TEST(Points_in_space, may_be_read_from_any_range)
+{
+  const Points points = random_points(50);
+  const std::list<Point> list(points.begin(), points.end());
+  Dynamic dt(list);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  std::list<Point> moved;
+  for (const Point& p : points)
+    moved.emplace_back(p.y(), p.z(), p.x());
+  dt.update(moved.begin(), moved.end());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, Points(moved.begin(), moved.end())));
+}
+
+// MOTION ------------------------------------------------------------------------------------------
+
+struct Shaken
+{
+  const char* name;
+  Points points;
+  double spacing;
+};
+
+class Motion_in_space : public testing::TestWithParam<double>
+{
+};
+
+TEST_P(Motion_in_space, is_followed_exactly)
+{
+  const Shaken cases[] = {{"cube", random_points(400), 1 / std::cbrt(400.0)},
+                          {"lattice", lattice(7), 1},
+                          {"slab", random_points(400), 0.05}};
+  for (const Shaken& one : cases) {
+    Points points = one.points;
+    if (one.name == std::string("slab"))
+      for (Point& p : points)
+        p = Point(p.x(), p.y(), 0.05 * p.z());
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> step(0, GetParam() * one.spacing / std::sqrt(3.0));
+    Dynamic dt(points);
+    for (int frame = 0; frame < 12; ++frame) {
+      for (Point& p : points) {
+        const double x = p.x() + step(random), y = p.y() + step(random);
+        p = Point(x, y, p.z() + step(random));
+      }
+      dt.update(points);
+      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points)) << one.name << ", frame " << frame;
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(steps, Motion_in_space,
+                         testing::Values(1e-12, 1e-4, 0.01, 0.05, 0.1, 0.2, 0.5, 2.0));
+
+TEST(Calm_motion, is_mended_not_rebuilt)
+{
+  Points points = random_points(2000);
+  Dynamic dt(points);
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> step(0, 0.03 / std::cbrt(2000.0) / std::sqrt(3.0));
+  std::size_t flips = 0, held = 0;
+  for (int frame = 0; frame < 10; ++frame) {
+    for (Point& p : points) {
+      const double x = p.x() + step(random), y = p.y() + step(random);
+      p = Point(x, y, p.z() + step(random));
+    }
+    const CGAL::Update_report_3 report = dt.update(points);
+    EXPECT_FALSE(report.rebuilt());
+    flips += report.flips;
+    held += report.held;
+  }
+  EXPECT_GT(flips, 2000u);
+  EXPECT_GT(held, 10u);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+TEST(Points_that_rest, need_no_flip)
+{
+  for (const Points& points : {random_points(500), lattice(6)}) {
+    Dynamic dt(points);
+    const CGAL::Update_report_3 report = dt.update(points);
+    EXPECT_EQ(report.flips, 0u);
+    EXPECT_FALSE(report.rebuilt());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  }
+}
+
+TEST(Points_that_jump, are_taken_out_and_inserted_elsewhere)
+{
+  Points points = random_points(1000);
+  Dynamic dt(points);
+  const Points others = random_points(100, 2);
+  for (std::size_t frame = 0; frame < 20; ++frame) {
+    points[37 * frame] = others[frame];
+    std::swap(points[37 * frame + 1], points[37 * frame + 20]);
+    const CGAL::Update_report_3 report = dt.update(points);
+    EXPECT_FALSE(report.rebuilt());
+    EXPECT_GE(report.relocated, 2u);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  }
+}
+
+TEST(Coincident_points, share_a_vertex_and_part_again)
+{
+  Points points = random_points(2000);
+  const Points home = points;
+  Dynamic dt(points);
+  for (std::size_t i = 0; i < 9; ++i)
+    points[30 * i] = points[30 * i + 11] = points[30 * i + 7];
+  const CGAL::Update_report_3 merging = dt.update(points);
+  EXPECT_EQ(merging.merged, 18u);
+  EXPECT_EQ(dt.number_of_vertices(), 1982u);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  const CGAL::Update_report_3 parting = dt.update(home);
+  EXPECT_EQ(parting.parted, 18u);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, home));
+}
+
+// Random programs. Each has ended wrong, or was chosen at random.
+class Random_programs_in_space : public testing::TestWithParam<std::tuple<int, double, double>>
+{
+};
+
+TEST_P(Random_programs_in_space, stay_exact)
+{
+  const auto [seed, extent, grid] = GetParam();
+  Program<Dynamic> program(std::uint64_t(seed), extent, grid);
+  ASSERT_NO_FATAL_FAILURE(program.insert(std::size_t(seed % 60)));
+  for (int i = 0; i < 60; ++i) {
+    ASSERT_NO_FATAL_FAILURE(program.do_something()) << "operation " << i;
+    ASSERT_NO_FATAL_FAILURE(space_oracle::expect_exact(program.triangulation(), program.points()))
+        << "operation " << i;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(anywhere, Random_programs_in_space,
+                         testing::Combine(testing::Range(1, 20), testing::Values(1.0),
+                                          testing::Values(0.0)));
+INSTANTIATE_TEST_SUITE_P(on_a_grid, Random_programs_in_space,
+                         testing::Combine(testing::Range(20, 40), testing::Values(1.0),
+                                          testing::Values(0.25)));
+INSTANTIATE_TEST_SUITE_P(far_and_near, Random_programs_in_space,
+                         testing::Combine(testing::Range(40, 44),
+                                          testing::Values(1e-150, 1e-30, 1e70),
+                                          testing::Values(0.0)));
+
+TEST(Random_program_in_space, of_an_exact_kernel_stays_exact)
+{
+  Program<CGAL::Dynamic_Delaunay_triangulation_3<Epeck>> program(5);
+  program.insert(30);
+  for (int i = 0; i < 20; ++i) {
+    program.do_something();
+    ASSERT_NO_FATAL_FAILURE(space_oracle::expect_exact(program.triangulation(), program.points()));
+  }
+}
+
+TEST(Exact_points_in_space, may_move_by_less_than_doubles_tell)
+{
+  using Exact = CGAL::Dynamic_Delaunay_triangulation_3<Epeck>;
+  using Exact_point = Exact::Point;
+  const Epeck::FT third = Epeck::FT(1) / 3, little = Epeck::FT(1e-40);
+  std::vector<Exact_point> points{
+      {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {third, third, third}};
+  Exact dt(points);
+  EXPECT_EQ(dt.number_of_cells(), 1u + 2); // on the facet of the first four
+  points[4] = Exact_point(third - little, third, third);
+  dt.update(points);
+  EXPECT_TRUE(dt.is_valid(true));
+  EXPECT_EQ(dt.point(4), points[4]);
+  EXPECT_EQ(dt.number_of_cells(), 4u);
+}
+
+// IDS AND ERRORS ----------------------------------------------------------------------------------
+
+TEST(Ids_in_space, are_reused_from_the_smallest_on)
+{
+  Dynamic dt(random_points(10));
+  dt.remove({3, 7});
+  EXPECT_FALSE(dt.has_id(3));
+  EXPECT_EQ(dt.number_of_ids(), 10u);
+  EXPECT_EQ(dt.insert(Point(2, 0, 0)), 3u);
+  EXPECT_EQ(dt.insert(Point(3, 0, 0)), 7u);
+  EXPECT_EQ(dt.insert(Point(4, 0, 0)), 10u);
+  EXPECT_EQ(dt.point(7), Point(3, 0, 0));
+}
+
+template <class Error, class Call>
+void expect_refused(const Call& call, const std::string& message)
+{
+  try {
+    call();
+    FAIL() << "nothing is thrown";
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find(message), std::string::npos) << error.what();
+  }
+}
+
+TEST(Wrong_input_in_space, is_refused_before_anything_changes)
+{
+  const Points points = random_points(20);
+  Dynamic dt(points);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Points wrong = points;
+  wrong[7] = Point(1, nan, 2);
+  expect_refused<CGAL::Non_finite_coordinate_error_3>(
+      [&] { dt.update(wrong); }, "point 7 has the coordinates (1, nan, 2): all three must be");
+  expect_refused<CGAL::Non_finite_coordinate_error_3>(
+      [&] { dt.insert(wrong.begin(), wrong.end()); }, "point 27 has");
+  expect_refused<CGAL::Non_finite_coordinate_error_3>([&] { dt.move(3, wrong[7]); }, "point 3 has");
+  expect_refused<CGAL::Point_count_error_2>([&] { dt.update(Points(19)); }, "given are 19 entries");
+  expect_refused<CGAL::Point_count_error_2>([&] { dt.update(std::list<Point>(21)); },
+                                            "given are 21 or more");
+  expect_refused<CGAL::Unknown_id_error_2>([&] { dt.remove(20); }, "no point with id 20");
+  expect_refused<CGAL::Unknown_id_error_2>([&] { dt.move(20, points[0]); }, "no point with id 20");
+  expect_refused<CGAL::Unknown_id_error_2>([&] { dt.point(20); }, "no point with id 20");
+  expect_refused<CGAL::Repeated_id_error_2>([&] { dt.remove({1, 2, 1}); }, "1 is there more than");
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+TEST(Copies_in_space, go_on_alike)
+{
+  Points points = random_points(200);
+  Dynamic dt(points);
+  dt.remove({5});
+  Dynamic copy(dt), assigned;
+  assigned = copy;
+  std::vector<std::vector<std::size_t>> cells(3);
+  for (Point& p : points)
+    p = Point(p.x() + 0.01 * p.y(), p.y(), p.z());
+  Dynamic* const all[] = {&dt, &copy, &assigned};
+  for (std::size_t i = 0; i < 3; ++i) {
+    all[i]->update(points);
+    all[i]->insert(Point(0.5, 0.5, 0.5));
+    all[i]->for_each_cell(
+        [&](const auto& ids) { cells[i].insert(cells[i].end(), ids.begin(), ids.end()); });
+  }
+  EXPECT_EQ(cells[1], cells[0]);
+  EXPECT_EQ(cells[2], cells[0]);
+  const Dynamic moved(std::move(copy));
+  EXPECT_EQ(moved.number_of_points(), 200u);
+  EXPECT_EQ(copy.number_of_points(), 0u); // it is empty, and can be used
+  copy.insert(points.begin(), points.end());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(copy, points));
+}
+
+// ACCESS ------------------------------------------------------------------------------------------
+
+TEST(Neighbors_in_space, are_the_ends_of_edges)
+{
+  for (const Points& points : {random_points(100), Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}) {
+    const Dynamic dt(points);
+    std::set<std::pair<std::size_t, std::size_t>> edges, found;
+    dt.for_each_edge([&](std::size_t i, std::size_t j) {
+      edges.emplace(i, j);
+      edges.emplace(j, i);
+    });
+    for (std::size_t i = 0; i < points.size(); ++i)
+      dt.for_each_neighbor(i, [&](std::size_t j) { found.emplace(i, j); });
+    EXPECT_EQ(found, edges);
+  }
+}
+
+} // namespace test_space
