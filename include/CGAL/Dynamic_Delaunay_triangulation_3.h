@@ -30,6 +30,20 @@
 
 namespace CGAL {
 
+namespace Dynamic_Delaunay_triangulations_3::internal {
+
+// What other headers of the package use of the class, and programs do not.
+struct Access_3
+{
+  template <class Dynamic>
+  static const auto& state(const Dynamic& dt)
+  {
+    return dt.m_core->state;
+  }
+};
+
+} // namespace Dynamic_Delaunay_triangulations_3::internal
+
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
@@ -60,6 +74,7 @@ to triangulate all points anew. Memory: about 250 bytes a point, and 32 for form
 template <class Traits, class ConcurrencyTag = Sequential_tag>
 class Dynamic_Delaunay_triangulation_3
 {
+  friend Dynamic_Delaunay_triangulations_3::internal::Access_3;
   using State =
       Dynamic_Delaunay_triangulations_3::internal::Triangulation_state_3<Traits, ConcurrencyTag>;
   using Update = Dynamic_Delaunay_triangulations_3::internal::Update_3<State>;

@@ -64,7 +64,7 @@ std::size_t number_of_edges(const Dynamic& dt)
   std::set<std::array<std::size_t, 2>> edges;
   dt.for_each_edge([&](std::size_t i, std::size_t j) {
     EXPECT_NE(i, j);
-    EXPECT_TRUE(edges.insert({std::min(i, j), std::max(i, j)}).second);
+    EXPECT_TRUE(edges.insert({(std::min)(i, j), (std::max)(i, j)}).second);
   });
   return edges.size();
 }

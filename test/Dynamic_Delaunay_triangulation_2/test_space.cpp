@@ -248,6 +248,17 @@ INSTANTIATE_TEST_SUITE_P(far_and_near, Random_programs_in_space,
                                           testing::Values(1e-150, 1e-30, 1e70),
                                           testing::Values(0.0)));
 
+// A few points, all of which change places: the hole of one that is taken out grows over all cells.
+TEST(Random_program_in_space, of_seed_10134_leaves_no_vertex_without_cells)
+{
+  Program<Dynamic> program(10134, 1, 0.5);
+  program.insert(10134 % 200);
+  for (int i = 0; i < 100; ++i) {
+    ASSERT_NO_FATAL_FAILURE(program.do_something());
+    ASSERT_NO_FATAL_FAILURE(space_oracle::expect_exact(program.triangulation(), program.points()));
+  }
+}
+
 TEST(Random_program_in_space, of_an_exact_kernel_stays_exact)
 {
   Program<CGAL::Dynamic_Delaunay_triangulation_3<Epeck>> program(5);

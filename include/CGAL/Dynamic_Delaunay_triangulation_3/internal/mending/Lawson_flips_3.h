@@ -206,10 +206,10 @@ private:
     const Vertex_index top = arrays().vertex(k), beyond = arrays().apex(k);
     const Corner_index behind = arrays().cell(c).mirrors[std::size_t(side)];
     const Cell_index third = Arrays::cell_of(behind);
-    const Vertex_index far = arrays().vertex(behind);
+    const Vertex_index opposite = arrays().vertex(behind);
     const Cell_index fourth =
         arrays().neighbor(other, arrays().place_of(other, v[std::size_t(side)]));
-    if (far == beyond || arrays().place_of(fourth, far) == 4 || third == fourth ||
+    if (opposite == beyond || arrays().place_of(fourth, opposite) == 4 || third == fourth ||
         arrays().neighbor(third, arrays().place_of(third, top)) != fourth)
       return false;
     const Vertices_3 w = arrays().vertices(third);
@@ -219,7 +219,7 @@ private:
         return false;
     flip_2_3(k);
     // the flat cell lies between the third one and the edge's other side
-    const Cell_index flat = arrays().neighbor(third, arrays().place_of(third, far));
+    const Cell_index flat = arrays().neighbor(third, arrays().place_of(third, opposite));
     flip_3_2(Arrays::corner(flat, arrays().place_of(flat, beyond)), arrays().place_of(flat, top));
     return true;
   }

@@ -166,12 +166,15 @@ private:
       if (m_filling_marks.insert(c))
         m_inside.push_back(c);
     };
+    if (m_border.empty()) // the hole has grown over all cells
+      for (Cell_index c(0); c < m_filling.number_of_cells(); ++c)
+        add(c);
     for (const Border& border : m_border)
       add(border.filling);
     std::size_t met = 0;
     for (std::size_t n = 0; n < m_inside.size(); ++n) {
       if (!m_reaches_infinity && m_filling.is_infinite(m_inside[n]))
-        return false;
+        return false; // it leaks
       for (int i = 0; i < 4; ++i) {
         const Corner_index k = Arrays::corner(m_inside[n], i);
         if (find_facet(facet_of(m_filling, k)) != nullptr)

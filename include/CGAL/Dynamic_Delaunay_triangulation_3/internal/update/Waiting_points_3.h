@@ -68,11 +68,11 @@ public:
   // Takes out a vertex, which belongs to this place. False if that has failed.
   bool take_out_for_long_way(Vertex_index v, const Place& place)
   {
-    const Vertex_index near = some_neighbor(v);
+    const Vertex_index beside = some_neighbor(v);
     if (!take_out(v))
       return false;
     m_state.positions.set(v, place);
-    m_pending.push_back({v, m_state.ids.representative(v), place, near});
+    m_pending.push_back({v, m_state.ids.representative(v), place, beside});
     return true;
   }
 
@@ -116,7 +116,7 @@ private:
     Vertex_index vertex; // null_index if the point has none
     Point_id id;
     Place place;
-    Vertex_index near; // a vertex to start the search at, or null_index
+    Vertex_index beside; // a vertex to start the search at, or null_index
   };
 
   static Place place_of(const Point& point) { return Place(approximation(point), point); }
@@ -157,11 +157,11 @@ private:
       m_pending.push_back({null_index, id, place_of(point), v});
       return true;
     }
-    const Vertex_index near = is_mending ? some_neighbor(v) : Vertex_index(null_index);
+    const Vertex_index beside = is_mending ? some_neighbor(v) : Vertex_index(null_index);
     const bool is_right = !is_mending || take_out(v);
     m_state.positions.set(v, place_of(point));
     m_state.positions_are_exact = m_state.positions_are_exact && has_exact_position(point);
-    m_pending.push_back({v, id, place_of(point), near});
+    m_pending.push_back({v, id, place_of(point), beside});
     return is_right;
   }
 
@@ -190,7 +190,7 @@ private:
     std::vector<Pending> fresh;
     std::vector<Position_3> places;
     const auto first_new = std::stable_partition(
-        m_pending.begin(), m_pending.end(), [](const Pending& p) { return p.near != null_index; });
+        m_pending.begin(), m_pending.end(), [](const Pending& p) { return p.beside != null_index; });
     for (auto p = first_new; p != m_pending.end(); ++p) {
       fresh.push_back(*p);
       places.push_back(p->place.position);
@@ -240,8 +240,8 @@ private:
   void start_near(const Pending& pending)
   {
     const Arrays& arrays = m_state.arrays;
-    if (pending.near != null_index && has_cells(pending.near))
-      m_insertion.start_at(Arrays::cell_of(arrays.corner_of(pending.near)));
+    if (pending.beside != null_index && has_cells(pending.beside))
+      m_insertion.start_at(Arrays::cell_of(arrays.corner_of(pending.beside)));
     else if (!std::exchange(m_has_start, true) || m_insertion.last() >= arrays.number_of_cells() ||
              arrays.is_free(m_insertion.last()))
       m_insertion.start_at(closest_of_sample(pending.place.position));
@@ -303,7 +303,7 @@ private:
   Vertex_removal_3<State> m_removal;
   std::vector<Pending> m_pending;
   std::vector<Vertex_index> m_without_cells; // vertices that have lost their points
-  bool m_has_start = false;                  // the last insertion is near to the next one
+  bool m_has_start = false;                  // the last insertion is close to the next one
   std::vector<Cell_index> m_star;
   Cell_marks_3 m_marks;
 };
