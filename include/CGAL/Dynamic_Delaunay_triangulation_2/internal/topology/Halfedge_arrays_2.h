@@ -63,7 +63,7 @@ public:
   Edge_index edge_of(Halfedge_index h) const { return m_halfedges[h].edge; }
   Halfedge_index halfedge(Edge_index edge) const { return m_halfedge_of_edge[edge]; }
   const Edge_2& edge(Edge_index e) const { return m_edges[e]; }
-  const std::vector<Edge_2>& edges() const { return m_edges; }
+  const Uninitialized_vector<Edge_2>& edges() const { return m_edges; }
   std::array<Vertex_index, 3> face(Face_index f) const
   {
     return {apex(halfedge_in(f, 0)), apex(halfedge_in(f, 1)), apex(halfedge_in(f, 2))};
@@ -205,9 +205,9 @@ protected:
   };
 
   Column<Halfedge_index, Halfedge, Uninitialized_vector<Halfedge>> m_halfedges;
-  Column<Edge_index, Edge_2> m_edges;
+  Column<Edge_index, Edge_2, Uninitialized_vector<Edge_2>> m_edges;
   Column<Edge_index, Halfedge_index, Uninitialized_vector<Halfedge_index>> m_halfedge_of_edge;
-  Column<Vertex_index, Halfedge_index> m_corner;
+  Column<Vertex_index, Halfedge_index, Uninitialized_vector<Halfedge_index>> m_corner;
 };
 
 } // namespace internal
