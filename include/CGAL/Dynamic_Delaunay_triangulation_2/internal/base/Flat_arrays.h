@@ -38,6 +38,8 @@ void reserve_extra(Vector& data, std::size_t more)
 // page of memory to the thread that writes it first, and not all pages to the thread that resizes.
 template <class T>
 using Uninitialized_vector = std::vector<T, boost::noinit_adaptor<std::allocator<T>>>;
+template <class Index_of_kind, class T>
+using Uninitialized_column = Column<Index_of_kind, T, Uninitialized_vector<T>>;
 
 // A list that keeps its memory. Appending to it is one comparison and one store, which compilers
 // inline; std::vector's push_back() is a function that they call.
