@@ -121,8 +121,9 @@ public:
   }
 
   /// classifies those edges of several lists that are not Delaunay: first those that are not
-  /// illegal, each time in the order of the lists. If there are several, the vertices are ascending.
-  /// Threads share the work if there are many lists and the triangulation has the `Parallel_tag`.
+  /// illegal, each time in the order of the lists. If there are several, the vertices are
+  /// ascending. Threads share the work if there are many lists and the triangulation has the
+  /// `Parallel_tag`.
   template <class Frame>
   void add_unless_delaunay(const Frame& frame, const std::vector<std::vector<Edge_index>>& lists)
   {
@@ -134,7 +135,8 @@ public:
     try {
       Parts::run(lists.size(),
                  [&](std::size_t part) { find_broken(frame, lists[part], m_broken[part]); });
-      m_vertices.template insert_words<Parts>([this](std::size_t word) { return m_marks.take(word); });
+      m_vertices.template insert_words<Parts>(
+          [this](std::size_t word) { return m_marks.take(word); });
     } catch (...) {
       m_marks.clear();
       throw;

@@ -98,8 +98,8 @@ public:
     return true;
   }
 
-  // Inserts, in ascending order, the indices whose bits `take(w)` returns for all w: from the lowest
-  // bit on those of 64 * w, 64 * w + 1, ... Threads share the work.
+  // Inserts, in ascending order, the indices whose bits `take(w)` returns for all w: from the
+  // lowest bit on those of 64 * w, 64 * w + 1, ... Threads share the work.
   template <class Parts, class Take>
   void insert_words(const Take& take)
   {
@@ -123,8 +123,7 @@ public:
                       for (; w < beyond; ++w) {
                         m_words[w] |= inserted[w];
                         for (std::uint64_t word = inserted[w]; word != 0; word &= word - 1)
-                          m_members[numbers[part]++] =
-                              Index_of_kind(w * bits + lowest_bit(word));
+                          m_members[numbers[part]++] = Index_of_kind(w * bits + lowest_bit(word));
                       }
                     });
   }

@@ -6,6 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <boost/endian/conversion.hpp>
+
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -44,18 +46,15 @@ public:
   // Takes away the marks of the indices from 64 * word on, and returns them as bits.
   std::uint64_t take(std::size_t word)
   {
+    Mark* const marks = &m_marks[bits * word];
     std::uint64_t taken = 0;
-    for (std::size_t i = 0; i < bits; i += sizeof taken) {
-      Mark* const marks = &m_marks[bits * word + i];
-      std::uint64_t are_there;
-      std::memcpy(&are_there, marks, sizeof are_there);
-      if (are_there == 0)
-        continue;
-      for (std::size_t k = 0; k < sizeof taken; ++k) {
-        taken |= std::uint64_t(marks[k].load(std::memory_order_relaxed)) << (i + k);
-        marks[k].store(0, std::memory_order_relaxed);
-      }
+    for (std::size_t i = 0; i < bits; i += 8) {
+      const std::uint64_t eight =
+          boost::endian::load_little_u64(reinterpret_cast<const unsigned char*>(marks + i));
+      taken |= eight * 0x0102040810204080 >> 56 << i; // bit 8 * k of the eight goes to bit i + k
     }
+    if (taken != 0)
+      std::memset(static_cast<void*>(marks), 0, bits);
     return taken;
   }
 

@@ -104,9 +104,8 @@ private:
                    const std::vector<Stretch>& stretches)
   {
     Part part{null_index, null_index, null_index};
-    auto stretch =
-        std::lower_bound(stretches.begin(), stretches.end(), first,
-                         [](const Stretch& s, std::size_t i) { return s.first < i; });
+    auto stretch = std::lower_bound(stretches.begin(), stretches.end(), first,
+                                    [](const Stretch& s, std::size_t i) { return s.first < i; });
     m_waiting.clear();
     for (std::size_t i = first; i < beyond;) {
       if (stretch != stretches.end() && stretch->first == i) {
@@ -203,13 +202,12 @@ private:
   {
     const int least_rank = usually_highest_rank(order);
     std::vector<Index> cuts;
-    append_by_parts<Parts>(
-        order.size(), Parts::usual_size, cuts,
-        [&](std::size_t first, std::size_t beyond, std::vector<Index>& some) {
-          for (std::size_t i = first + 1; i <= beyond; ++i)
-            if (rank(order, i) >= least_rank)
-              some.push_back(Index(i));
-        });
+    append_by_parts<Parts>(order.size(), Parts::usual_size, cuts,
+                           [&](std::size_t first, std::size_t beyond, std::vector<Index>& some) {
+                             for (std::size_t i = first + 1; i <= beyond; ++i)
+                               if (rank(order, i) >= least_rank)
+                                 some.push_back(Index(i));
+                           });
     return cuts;
   }
 

@@ -110,8 +110,8 @@ public:
   }
 
   // Makes the last half-edge with apex v the corner of v. Each part of the half-edges sets the
-  // corners of one part of the vertices. Half-edges with other apexes are left over for the parts of
-  // these; they are few if faces and vertices are numbered in the same order and the parts are
+  // corners of one part of the vertices. Half-edges with other apexes are left over for the parts
+  // of these; they are few if faces and vertices are numbered in the same order and the parts are
   // large. The `edge` member of each of them holds the next one, because edges have no numbers yet.
   template <class Parts>
   void find_corners()
