@@ -387,7 +387,7 @@ struct Counting_frame : Frame
   {
   }
 
-  const auto& edges() const
+  const std::vector<Edge_2>& edges() const
   {
     ++m_passes;
     return Frame::edges();

@@ -123,9 +123,8 @@ public:
 
   /// edge `e` with its two opposite vertices.
   decltype(auto) edge(Edge_index e) const { return m_state->edge(e); }
-  /// all edges, indexed by their numbers: an `std::vector` with an allocator of its own. Not in
-  /// periodic space.
-  const auto& edges() const
+  /// all edges, indexed by their numbers. Not in periodic space.
+  const std::vector<Edge>& edges() const
   {
     static_assert(!State::is_periodic, "periodic space has no array of edges: use edge()");
     return m_state->arrays().edges();

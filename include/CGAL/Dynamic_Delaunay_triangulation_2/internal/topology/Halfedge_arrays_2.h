@@ -63,7 +63,7 @@ public:
   Edge_index edge_of(Halfedge_index h) const { return m_halfedges[h].edge; }
   Halfedge_index halfedge(Edge_index edge) const { return m_halfedge_of_edge[edge]; }
   const Edge_2& edge(Edge_index e) const { return m_edges[e]; }
-  const Uninitialized_vector<Edge_2>& edges() const { return m_edges; }
+  const std::vector<Edge_2>& edges() const { return m_edges; }
   std::array<Vertex_index, 3> face(Face_index f) const
   {
     return {apex(halfedge_in(f, 0)), apex(halfedge_in(f, 1)), apex(halfedge_in(f, 2))};
@@ -205,7 +205,7 @@ protected:
   };
 
   Uninitialized_column<Halfedge_index, Halfedge> m_halfedges;
-  Uninitialized_column<Edge_index, Edge_2> m_edges;
+  Column<Edge_index, Edge_2> m_edges;
   Uninitialized_column<Edge_index, Halfedge_index> m_halfedge_of_edge;
   Uninitialized_column<Vertex_index, Halfedge_index> m_corner;
 };
