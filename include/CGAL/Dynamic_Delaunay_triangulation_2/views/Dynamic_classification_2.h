@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Shared_marks.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
@@ -119,24 +120,30 @@ public:
     }
   }
 
-  /// classifies those edges of several lists that are not Delaunay, in their order. Threads share
-  /// the work if there are many lists and the triangulation has the `Parallel_tag`.
+  /// classifies those edges of several lists that are not Delaunay: first those that are not
+  /// illegal, each time in the order of the lists. If there are several, the vertices are
+  /// ascending. Threads share the work if there are many lists and the triangulation has the
+  /// `Parallel_tag`.
   template <class Frame>
   void add_unless_delaunay(const Frame& frame, const std::vector<std::vector<Edge_index>>& lists)
   {
+    if (lists.size() == 1)
+      return add_unless_delaunay(frame, lists.front());
     using Parts = typename Frame::Parts;
-    if (!Parts::are_shared(lists.size())) {
-      for (const std::vector<Edge_index>& edges : lists)
-        add_unless_delaunay(frame, edges);
-      return;
-    }
     m_broken.resize((std::max)(lists.size(), m_broken.size()));
-    Parts::run(lists.size(),
-               [&](std::size_t part) { find_broken(frame, lists[part], m_broken[part]); });
-    for (std::size_t part = 0; part < lists.size(); ++part)
-      add_broken(m_broken[part]);
+    m_marks.reserve(m_state->positions().size());
+    try {
+      Parts::run(lists.size(),
+                 [&](std::size_t part) { find_broken(frame, lists[part], m_broken[part]); });
+      m_vertices.template insert_words<Parts>(
+          [this](std::size_t word) { return m_marks.take(word); });
+    } catch (...) {
+      m_marks.clear();
+      throw;
+    }
+    list_broken(lists.size());
     if (m_edges.size() > m_state->positions().size()) // the repair needs the memory
-      std::vector<std::vector<Broken_edge>>().swap(m_broken);
+      std::vector<Broken_edges>().swap(m_broken);
   }
 
   /// records that the classifier has proved that the hull turns around once, so that this is not
@@ -165,36 +172,37 @@ public:
   const std::vector<Edge_index>& edges() const { return m_edges; }
 
 private:
-  // An edge that is not Delaunay, with its vertices, which the finding thread has in its cache.
-  struct Broken_edge
+  struct Broken_edges
   {
-    Edge_index edge;
-    bool is_illegal;
-    std::array<Vertex_index, 4> vertices;
+    std::vector<Edge_index> illegal, others;
   };
 
+  // Finds the edges that are not Delaunay, and marks their vertices.
   template <class Frame>
-  void find_broken(const Frame& frame, const std::vector<Edge_index>& edges,
-                   std::vector<Broken_edge>& broken) const
+  void find_broken(const Frame& frame, const std::vector<Edge_index>& edges, Broken_edges& broken)
   {
     using Dynamic_Delaunay_triangulations_2::Edge_state_2;
-    broken.clear();
+    broken.illegal.clear();
+    broken.others.clear();
     for (std::size_t i = 0; i < edges.size(); ++i) {
       prefetch_some(edges, i);
       const Edge_state_2 state = frame.edge_state(edges[i]);
-      if (state != Edge_state_2::DELAUNAY)
-        broken.push_back({edges[i], state == Edge_state_2::ILLEGAL, vertices_of(edges[i])});
+      if (state == Edge_state_2::DELAUNAY)
+        continue;
+      (state == Edge_state_2::ILLEGAL ? broken.illegal : broken.others).push_back(edges[i]);
+      for_each_finite(vertices_of(edges[i]), [this](Vertex_index v) { m_marks.mark(v); });
     }
   }
 
-  void add_broken(const std::vector<Broken_edge>& broken)
+  void list_broken(std::size_t lists)
   {
-    m_vertices.insert_up_to(4 * broken.size(), [&](const auto& insert) {
-      for (const Broken_edge& b : broken) {
-        list(b.edge, b.is_illegal);
-        for_each_finite(b.vertices, insert);
-      }
-    });
+    for (std::size_t i = 0; i < lists; ++i)
+      m_edges.insert(m_edges.end() - std::ptrdiff_t(m_number_of_illegal),
+                     m_broken[i].others.begin(), m_broken[i].others.end());
+    for (std::size_t i = 0; i < lists; ++i) {
+      m_edges.insert(m_edges.end(), m_broken[i].illegal.begin(), m_broken[i].illegal.end());
+      m_number_of_illegal += m_broken[i].illegal.size();
+    }
   }
 
   // Prefetches the data of the edges that a pass over `edges` will test soon after edge i.
@@ -244,7 +252,8 @@ private:
   Dynamic_Delaunay_triangulations_2::internal::Index_set<Vertex_index> m_vertices;
   Dynamic_Delaunay_triangulations_2::internal::Index_set<Vertex_index> m_whole_vertices;
   std::vector<Edge_index> m_edges;
-  std::vector<std::vector<Broken_edge>> m_broken; // of each list
+  Dynamic_Delaunay_triangulations_2::internal::Shared_marks<Vertex_index> m_marks;
+  std::vector<Broken_edges> m_broken; // of each list
   std::size_t m_number_of_illegal = 0;
   bool m_hull_turns_once = false;
 };

@@ -14,6 +14,8 @@
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
+#include <array>
+#include <bitset>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -38,6 +40,8 @@ void reserve_extra(Vector& data, std::size_t more)
 // page of memory to the thread that writes it first, and not all pages to the thread that resizes.
 template <class T>
 using Uninitialized_vector = std::vector<T, boost::noinit_adaptor<std::allocator<T>>>;
+template <class Index_of_kind, class T>
+using Uninitialized_column = Column<Index_of_kind, T, Uninitialized_vector<T>>;
 
 // A list that keeps its memory. Appending to it is one comparison and one store, which compilers
 // inline; std::vector's push_back() is a function that they call.
@@ -94,21 +98,34 @@ public:
     return true;
   }
 
-  // Calls f(insert), which may call insert(i) up to `most` times. insert() has no branch: a branch
-  // would be unpredictable where many indices are inserted more than once.
-  template <class Function>
-  void insert_up_to(std::size_t most, const Function& f)
+  // Inserts, in ascending order, the indices whose bits `take(w)` returns for all w: from the
+  // lowest bit on those of 64 * w, 64 * w + 1, ... Threads share the work.
+  template <class Parts, class Take>
+  void insert_words(const Take& take)
   {
-    std::size_t size = m_members.size();
-    m_members.resize(size + most);
-    f([&](Index_of_kind i) {
-      std::uint64_t& word = m_words[i / bits];
-      const std::uint64_t bit = std::uint64_t(1) << i % bits;
-      m_members[size] = i;
-      size += (word & bit) == 0;
-      word |= bit;
-    });
-    m_members.resize(size);
+    constexpr std::size_t least = (std::max)(Parts::usual_size / bits, std::size_t(1));
+    std::vector<std::uint64_t> inserted(m_words.size());
+    std::array<std::size_t, Parts::max_parts> numbers;
+    Parts::for_each(m_words.size(), least,
+                    [&](std::size_t part, std::size_t w, std::size_t beyond) {
+                      numbers[part] = 0;
+                      for (; w < beyond; ++w) {
+                        inserted[w] = take(w) & ~m_words[w];
+                        numbers[part] += std::bitset<bits>(inserted[w]).count();
+                      }
+                    });
+    std::size_t sum = m_members.size();
+    for (std::size_t part = 0; part < Parts::number(m_words.size(), least); ++part)
+      sum += std::exchange(numbers[part], sum);
+    m_members.resize(sum); // nothing throws from here on
+    Parts::for_each(m_words.size(), least,
+                    [&](std::size_t part, std::size_t w, std::size_t beyond) {
+                      for (; w < beyond; ++w) {
+                        m_words[w] |= inserted[w];
+                        for (std::uint64_t word = inserted[w]; word != 0; word &= word - 1)
+                          m_members[numbers[part]++] = Index_of_kind(w * bits + lowest_bit(word));
+                      }
+                    });
   }
 
   // Replaces the content by these indices.

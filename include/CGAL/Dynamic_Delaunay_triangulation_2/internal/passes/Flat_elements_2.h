@@ -26,6 +26,17 @@ struct Position_2
 /// the two faces at the edge, both counterclockwise.
 struct Edge_2
 {
+  /// sets nothing, so that no thread writes an array of edges before all threads do.
+  Edge_2() {}
+  /// sets all four vertices.
+  Edge_2(Vertex_index s, Vertex_index t, Vertex_index l, Vertex_index r)
+    : source(s)
+    , target(t)
+    , left(l)
+    , right(r)
+  {
+  }
+
   Vertex_index source, target, left, right;
 };
 

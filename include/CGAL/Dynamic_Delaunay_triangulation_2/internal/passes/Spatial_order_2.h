@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -107,14 +108,17 @@ inline Cut_2 hilbert_cut(std::uint32_t before, std::uint32_t after)
 class Spatial_order_2
 {
 public:
-  // Sorts the points with the numbers in [first, beyond). Threads share the passes over many
-  // points.
-  template <class Parts = Parallel_parts<Sequential_tag>, class Iterator>
-  void sort(const std::vector<Position_2>& positions, Iterator first, Iterator beyond)
+  // Sorts the points with the numbers in [first, beyond), iterators with random access. Threads
+  // share the passes over many points.
+  template <class Parts = Parallel_parts<Sequential_tag>, class Positions, class Iterator>
+  void sort(const Positions& positions, Iterator first, Iterator beyond)
   {
     m_positions = positions.data();
-    m_places.assign(first, beyond);
+    m_places.resize(std::size_t(beyond - first));
     m_cuts.resize(m_places.size());
+    Parts::for_each_element(m_places.size(), [&](std::size_t i) {
+      m_places[i] = first[typename std::iterator_traits<Iterator>::difference_type(i)];
+    });
     sort_by_grid<Parts>(0, m_places.size(), 0);
   }
 
@@ -167,7 +171,7 @@ public:
 
   void release()
   {
-    std::vector<std::uint64_t>().swap(m_places);
+    Uninitialized_vector<std::uint64_t>().swap(m_places);
     std::vector<Cut_2>().swap(m_cuts);
   }
 
@@ -263,7 +267,7 @@ private:
         sum += std::exchange(of_part[d], sum);
     }
     borders[digits] = sum;
-    std::vector<std::uint64_t> sorted(size);
+    Uninitialized_vector<std::uint64_t> sorted(size);
     Parts::for_each(size, [&](std::size_t part, std::size_t i, std::size_t end) {
       for (; i < end; ++i) {
         const std::uint64_t p = begin[std::ptrdiff_t(i)];
@@ -361,7 +365,8 @@ private:
   }
 
   const Position_2* m_positions = nullptr;
-  std::vector<std::uint64_t> m_places; // place in a grid (upper half), number of the point (lower)
+  // Each is the place in a grid (upper half), and the number of the point (lower half).
+  Uninitialized_vector<std::uint64_t> m_places;
   std::vector<Cut_2> m_cuts;
 };
 

@@ -65,13 +65,13 @@ public:
   void build_with(const std::vector<Point_id>& gone, std::vector<Point_id> coming_ids,
                   std::vector<Point> coming_points)
   {
-    const auto all = m_staying.collect(gone, std::move(coming_ids), std::move(coming_points));
-    const auto comes_second = [this](Point_id id) {
-      return !m_staying.keeps_vertex(id, m_state.ids());
-    };
-    const auto second = std::find_if(all.ids.begin(), all.ids.end(), comes_second);
+    try {
+      build(m_staying.collect(gone, std::move(coming_ids), std::move(coming_points)));
+    } catch (...) {
+      m_staying.forget();
+      throw;
+    }
     m_staying.forget();
-    build(all, std::size_t(second - all.ids.begin()));
   }
 
   // Makes the triangulation, which must be empty, a copy of another one. The visitor is not called.
@@ -90,15 +90,15 @@ public:
                const typename State::Shifts& shifts)
   {
     Periodic_faces_2 faces;
-    faces.shifts = shifts;
     for (Halfedge_index h(0); h < Index(shifts.size()); ++h) {
       const Flat_halfedge_index flat = Flat_faces_2::from_arrays(h);
       faces.apexes.push_back(kept.faces.apex(flat));
       faces.twins.push_back(Flat_faces_2::number_in_arrays(kept.faces.twin(flat)));
     }
     m_writer.set_torus(torus);
+    faces.shifts = shifts;
     write_points(kept.points.size(), [&](Vertex_index v) { return kept.points[v - 1]; });
-    write_faces(faces);
+    write_faces(faces, [] {});
     for (Edge_index e(0); e < arrays().number_of_edges(); ++e)
       arrays().set_edge(e, kept.forward_halfedges[e]);
     for (Vertex_index v(1); v < arrays().number_of_vertices(); ++v)
@@ -137,9 +137,9 @@ private:
 
   // BUILDING ------------------------------------------------------------------------------------
 
-  // Triangulates these points. Where points coincide, one of the first `second` points becomes the
+  // Triangulates these points. Where points coincide, one that keeps its vertex becomes the
   // representative, if any of these is among them.
-  void build(const Points_to_build_2<Point>& all, std::size_t second)
+  void build(const Points_to_build_2<Point>& all)
   {
     const std::size_t logged = m_editing.log().size();
     m_editing.reserve(arrays().number_of_edges());
@@ -151,7 +151,7 @@ private:
       m_writer.positions().forget_previous();
       ids().reset(all.number_of_ids);
       if (!all.ids.empty() && !triangulate(all.ids, all.points))
-        insert(all.ids, all.points, second);
+        insert(all.ids, all.points, number_of_first(all.ids, before.ids()));
       ids().finish_numbering();
     } catch (...) {
       m_relocation.forget();
@@ -161,6 +161,16 @@ private:
     }
   }
 
+  // How many of the points that are built, the first ones, keep their vertices.
+  std::size_t number_of_first(const std::vector<Point_id>& built,
+                              const typename State::Ids& ids_before) const
+  {
+    const auto second = std::find_if(built.begin(), built.end(), [&](Point_id id) {
+      return !m_staying.keeps_vertex(id, ids_before);
+    });
+    return std::size_t(second - built.begin());
+  }
+
   // Triangulates all points at once. False if the result cannot be proved, as where points coincide
   // or form a grid: then there are no vertices.
   bool triangulate(const std::vector<Point_id>& point_ids, const std::vector<Point>& points)
@@ -168,21 +178,23 @@ private:
     if (m_engine != Static_engine_2::GUIBAS_STOLFI)
       return false;
     Torus_triangulator_2<Parts> triangulator;
-    std::vector<Position_2> positions(points.size());
-    std::transform(points.begin(), points.end(), positions.begin(),
-                   [](const Point& p) { return approximation(p); });
+    Uninitialized_vector<Position_2> positions(points.size());
+    Parts::for_each_element(points.size(),
+                            [&](std::size_t i) { positions[i] = approximation(points[i]); });
     if (!triangulator.run(m_state.torus(), positions))
       return false;
     const std::size_t logged = m_editing.log().size();
-    const Periodic_faces_2& faces = triangulator.faces();
+    Periodic_faces_2& faces = triangulator.faces();
     const std::size_t vertices = faces.points.size() - 1;
     write_points(vertices, [&](Vertex_index v) { return points[faces.points[v]]; });
-    write_faces(faces);
+    write_faces(faces, [&] {
+      triangulator.release();
+      Uninitialized_vector<Position_2>().swap(positions);
+    });
     ids().resize(Index(vertices));
     Parts::for_each_element(vertices, [&](std::size_t i) {
       ids().set_representative(Vertex_index(i + 1), point_ids[faces.points[Vertex_index(i + 1)]]);
     });
-    triangulator.release();
     hide_shifted_edges();
     note_created_edges();
     std::vector<Edge_index> open;
@@ -245,7 +257,7 @@ private:
     for (const int twin : {4, 5, 3, 2, 0, 1})
       faces.twins.emplace_back(twin);
     faces.shifts.assign({no_shift, r, r + t, no_shift, r + t, t});
-    write_faces(faces);
+    write_faces(faces, [] {});
     hide_shifted_edges();
     note_created_edges();
     m_open = {Edge_index(0), Edge_index(1), Edge_index(2)};
@@ -283,15 +295,22 @@ private:
     m_writer.positions().exchange(points, positions);
   }
 
-  // Writes the faces of all vertices.
-  void write_faces(const Periodic_faces_2& faces)
+  // Writes the faces of all vertices, and frees their memory. One thread calls `companion()`
+  // meanwhile.
+  template <class Companion>
+  void write_faces(Periodic_faces_2& faces, const Companion& companion)
   {
     m_writer.changes().everything_is_new = true;
     const Index vertices = m_state.number_of_vertices();
-    m_writer.shifts() = faces.shifts;
-    arrays().template write<Parts>(vertices, 2 * vertices, [&](Face_index f, Index i) {
+    m_writer.shifts().swap(faces.shifts);
+    const auto apex_and_twin = [&](Face_index f, Index i) {
       const Halfedge_index h = Arrays::halfedge_in(f, i);
       return std::pair(faces.apexes[h], faces.twins[h]);
+    };
+    arrays().template write<Parts>(vertices, 2 * vertices, apex_and_twin, [&] {
+      Uninitialized_vector<Vertex_index>().swap(faces.apexes);
+      Uninitialized_vector<Halfedge_index>().swap(faces.twins);
+      companion();
     });
   }
 

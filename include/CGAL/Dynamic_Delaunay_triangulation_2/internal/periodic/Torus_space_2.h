@@ -196,7 +196,7 @@ public:
 
   using Site = Periodic_site_2;
   using Chart = Periodic_shift_2;
-  using Shifts = Column<Halfedge_index, Periodic_shift_2>;
+  using Shifts = Uninitialized_column<Halfedge_index, Periodic_shift_2>;
 
   static Vertex_index vertex_of(const Site& site) { return site.vertex; }
   static Site site_of(Vertex_index v) { return {v, no_shift}; }

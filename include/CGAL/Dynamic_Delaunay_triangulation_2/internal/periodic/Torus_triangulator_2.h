@@ -38,10 +38,11 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // The faces of a closed surface over the vertices 1, 2, ..., with a shift for each corner.
 struct Periodic_faces_2
 {
-  Column<Halfedge_index, Vertex_index> apexes;
-  Column<Halfedge_index, Halfedge_index> twins;
-  Column<Halfedge_index, Periodic_shift_2> shifts; // of each apex; the first of a face has none
-  Column<Vertex_index, Index> points;              // of each vertex; the first one is not used
+  Uninitialized_column<Halfedge_index, Vertex_index> apexes;
+  Uninitialized_column<Halfedge_index, Halfedge_index> twins;
+  // of each apex; the first of a face has none
+  Uninitialized_column<Halfedge_index, Periodic_shift_2> shifts;
+  Uninitialized_column<Vertex_index, Index> points; // of each vertex; the first one is not used
 };
 
 // Images of points in the plane, rounded, with the functions that predicates on vertices call.
@@ -59,6 +60,12 @@ public:
     Periodic_shift_2 shift;
   };
 
+  void reserve(std::size_t images)
+  {
+    m_positions.reserve(images + 1);
+    m_points.reserve(images + 1);
+    m_shifts.reserve(images + 1);
+  }
   void resize(std::size_t images)
   {
     m_positions.resize(images + 1);
@@ -92,16 +99,16 @@ public:
 
   void release()
   {
-    std::vector<Position_2>().swap(m_positions);
-    std::vector<Index>().swap(m_points);
-    std::vector<Periodic_shift_2>().swap(m_shifts);
+    Uninitialized_vector<Position_2>().swap(m_positions);
+    Uninitialized_vector<Index>().swap(m_points);
+    Uninitialized_vector<Periodic_shift_2>().swap(m_shifts);
   }
 
   std::size_t size() const { return m_positions.size(); }
   Index point_of(Vertex_index image) const { return m_points[image]; }
   const Periodic_shift_2& shift(Vertex_index image) const { return m_shifts[image]; }
 
-  const std::vector<Position_2>& positions() const { return m_positions; }
+  const Uninitialized_vector<Position_2>& positions() const { return m_positions; }
   static constexpr bool positions_are_exact() { return true; }
   Traits::Point_2 point(Vertex_index image) const
   {
@@ -110,9 +117,9 @@ public:
   const Traits& traits() const { return m_traits; }
 
 private:
-  std::vector<Position_2> m_positions;
-  std::vector<Index> m_points;
-  std::vector<Periodic_shift_2> m_shifts;
+  Uninitialized_vector<Position_2> m_positions;
+  Uninitialized_vector<Index> m_points;
+  Uninitialized_vector<Periodic_shift_2> m_shifts;
   Traits m_traits;
 };
 
@@ -147,25 +154,26 @@ public:
   static constexpr std::size_t min_points = 100;
 
   // False if there is no result.
-  bool run(const Torus_2& torus, const std::vector<Position_2>& points)
+  template <class Positions>
+  bool run(const Torus_2& torus, const Positions& points)
   {
     return points.size() >= min_points && !torus.cell().is_slab() && make_cloud(torus, points) &&
            triangulate(points.size()) && glue(points.size()) && are_stars(points.size()) &&
            cover_once(torus);
   }
 
-  const Periodic_faces_2& faces() const { return m_faces; }
+  // The result, which may be taken apart.
+  Periodic_faces_2& faces() { return m_faces; }
 
-  // Frees the memory.
+  // Frees the memory of everything but the result.
   void release()
   {
-    m_faces = Periodic_faces_2();
     m_cloud.release();
     m_planar.release();
     m_order.release();
-    std::vector<Vertex_index>().swap(m_vertex_of_image);
-    std::vector<Vertex_index>().swap(m_wrapped);
-    std::vector<Face_index>().swap(m_face_numbers);
+    Uninitialized_vector<Vertex_index>().swap(m_vertex_of_image);
+    Uninitialized_vector<Vertex_index>().swap(m_wrapped);
+    Uninitialized_vector<Face_index>().swap(m_face_numbers);
     std::vector<Open_halfedge>().swap(m_open);
   }
 
@@ -173,7 +181,8 @@ private:
   using Arrays = Halfedge_arrays_2;
 
   // Makes the wrapped points, and then images around the cell. False if these were too many.
-  bool make_cloud(const Torus_2& torus, const std::vector<Position_2>& points)
+  template <class Positions>
+  bool make_cloud(const Torus_2& torus, const Positions& points)
   {
     const auto basis = short_basis(torus);
     const Position_2 r = torus.vector({double(basis[0][0]), double(basis[0][1])});
@@ -186,6 +195,8 @@ private:
     const double along_t = margin * std::hypot(r.x, r.y) / area;
     if (!(along_r < 0.5 && along_t < 0.5))
       return false;
+    // room for a half more images than there are if points are evenly spread
+    m_cloud.reserve(std::size_t(n * (1 + 3 * along_r) * (1 + 3 * along_t)));
     m_cloud.resize(points.size());
     std::vector<std::vector<Image>> around(Parts::number(points.size()));
     Parts::for_each(points.size(), [&](std::size_t part, std::size_t first, std::size_t beyond) {
@@ -264,7 +275,7 @@ private:
     m_faces.points.resize(points + 1);
     m_faces.points[infinite_index] = null_index;
     m_wrapped.resize(points + 1);
-    std::vector<Vertex_index> vertex_of_point(points);
+    Uninitialized_vector<Vertex_index> vertex_of_point(points);
     number_in_parts(
         m_order.size(), [&](std::size_t i) { return m_order[i] <= points; },
         [&](std::size_t i, Index number) {
@@ -486,9 +497,10 @@ private:
   Spatial_order_2 m_order;
   Flat_faces_2 m_planar;
   Guibas_stolfi_2<Predicates, Parts> m_guibas_stolfi;
-  Column<Vertex_index, Vertex_index> m_vertex_of_image;
-  Column<Vertex_index, Vertex_index> m_wrapped;  // the image of each vertex's point in the cell
-  Column<Face_index, Face_index> m_face_numbers; // of the planar faces that are kept
+  Uninitialized_column<Vertex_index, Vertex_index> m_vertex_of_image;
+  // the image of each vertex's point in the cell
+  Uninitialized_column<Vertex_index, Vertex_index> m_wrapped;
+  Uninitialized_column<Face_index, Face_index> m_face_numbers; // of the planar faces that are kept
   std::vector<Open_halfedge> m_open;
   Periodic_faces_2 m_faces;
 };

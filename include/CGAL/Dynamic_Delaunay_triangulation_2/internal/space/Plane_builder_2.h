@@ -111,7 +111,7 @@ public:
       triangulate_line();
     else {
       provide_faces(kept.faces.number_of_faces());
-      take_faces(kept.faces);
+      take_faces(kept.faces, [] {});
       restore_numbers(kept);
     }
     m_storage.resize_data(m_state.number_of_vertices() + std::size_t(1),
@@ -355,12 +355,14 @@ private:
     m_triangulator.run(order, [&] { provide_faces(2 * order.size() - 2); });
     m_vertex_order.release();
     m_numbering.release_order();
+    const auto release = [&] { m_triangulator.release(); };
     if (m_triangulator.faces().number_of_faces() > 0) {
       provide_faces(m_triangulator.faces().number_of_faces());
-      take_faces(m_triangulator.faces());
-    } else
+      take_faces(m_triangulator.faces(), release);
+    } else {
       triangulate_line();
-    m_triangulator.release();
+      release();
+    }
   }
 
   // Reserves memory for take_faces().
@@ -370,14 +372,16 @@ private:
     m_storage.reserve_data(0, number);
   }
 
-  void take_faces(const Flat_faces_2& faces)
+  // Takes over the faces. When they are no longer needed, calls `companion()`.
+  template <class Companion>
+  void take_faces(const Flat_faces_2& faces, const Companion& companion)
   {
     const auto apex_and_twin = [&](Face_index f, Index i) {
       const Flat_halfedge_index h = Flat_faces_2::first_halfedge(f) + i;
       return std::pair(faces.apex(h), Flat_faces_2::number_in_arrays(faces.twin(h)));
     };
     m_arrays.template write<Parts>(m_state.number_of_vertices(), faces.number_of_faces(),
-                                   apex_and_twin);
+                                   apex_and_twin, companion);
     set_dimension(2);
     finish_faces();
   }

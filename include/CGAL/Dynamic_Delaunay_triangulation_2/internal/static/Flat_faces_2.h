@@ -81,7 +81,7 @@ private:
     Flat_halfedge_index twin;
   };
 
-  Column<Flat_halfedge_index, Halfedge, Uninitialized_vector<Halfedge>> m_halfedges;
+  Uninitialized_column<Flat_halfedge_index, Halfedge> m_halfedges;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Parallel_parts.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Spatial_order_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Flat_faces_2.h>
@@ -36,7 +37,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // Threads share stretches of the order. A stretch in which all cuts have lower ranks than the two
 // around it becomes a part of its own before it is merged with another one. Until then the points
 // from the i-th to before the j-th have the faces from 2i to before 2j - 2. So stretches touch no
-// data of each other, and the result is bit by bit that of a single thread.
+// data of each other, and the result is bit by bit that of a single thread. Small stretches come
+// first, then large ones, made of the small ones: the last merges are few, but have long borders.
 //
 // Cost: O(n log n).
 template <class Predicates, class Parts = Parallel_parts<Sequential_tag>>
@@ -64,7 +66,7 @@ public:
     m_stretches.clear();
     if (Parts::are_shared(Parts::number(n)))
       triangulate_stretches(order, companion);
-    triangulate(order, 0, n);
+    triangulate(order, 0, n, m_stretches);
     if (!m_has_finite_faces)
       m_faces.resize(0);
   }
@@ -96,15 +98,17 @@ private:
     Part part;
   };
 
-  // Makes the part of the points from `first` to before `beyond`: all points or a stretch. The
-  // stretches in `m_stretches` have their parts already.
-  Part triangulate(const Spatial_order_2& order, std::size_t first, std::size_t beyond)
+  // Makes the part of the points from `first` to before `beyond`: all points or a stretch. These
+  // stretches have their parts already.
+  Part triangulate(const Spatial_order_2& order, std::size_t first, std::size_t beyond,
+                   const std::vector<Stretch>& stretches)
   {
     Part part{null_index, null_index, null_index};
-    auto stretch = m_stretches.begin();
+    auto stretch = std::lower_bound(stretches.begin(), stretches.end(), first,
+                                    [](const Stretch& s, std::size_t i) { return s.first < i; });
     m_waiting.clear();
     for (std::size_t i = first; i < beyond;) {
-      if (stretch != m_stretches.end() && stretch->first == i) {
+      if (stretch != stretches.end() && stretch->first == i) {
         part = stretch->part;
         i = stretch++->beyond;
       } else
@@ -125,18 +129,28 @@ private:
   template <class Companion>
   void triangulate_stretches(const Spatial_order_2& order, const Companion& companion)
   {
-    find_stretches(order);
-    std::atomic<bool> has_finite_faces{false};
-    Parts::run(m_stretches.size() + 1, [&](std::size_t i) {
+    const std::vector<Index> cuts = high_cuts(order);
+    triangulate_stretches(order, find_stretches(order, cuts, order.size() / 64), companion);
+    triangulate_stretches(order, find_stretches(order, cuts, order.size() / 8), [] {});
+  }
+
+  // Makes the parts of these stretches, which replace those in `m_stretches`.
+  template <class Companion>
+  void triangulate_stretches(const Spatial_order_2& order, std::vector<Stretch> stretches,
+                             const Companion& companion)
+  {
+    std::atomic<bool> have_finite_faces{m_has_finite_faces};
+    Parts::run(stretches.size() + 1, [&](std::size_t i) {
       if (i == 0)
         return companion();
-      Stretch& stretch = m_stretches[i - 1];
+      Stretch& stretch = stretches[i - 1];
       Guibas_stolfi_2 other(m_predicates, m_faces);
-      stretch.part = other.triangulate(order, stretch.first, stretch.beyond);
+      stretch.part = other.triangulate(order, stretch.first, stretch.beyond, m_stretches);
       if (other.m_has_finite_faces)
-        has_finite_faces.store(true, std::memory_order_relaxed);
+        have_finite_faces.store(true, std::memory_order_relaxed);
     });
-    m_has_finite_faces = has_finite_faces;
+    m_has_finite_faces = have_finite_faces;
+    m_stretches.swap(stretches);
   }
 
   // The points between two cuts, while find_stretches() may still merge them with others.
@@ -148,24 +162,22 @@ private:
     bool is_divided; // whether the points are too many for a stretch, or some are one already
   };
 
-  // Divides points into stretches of at most about `most` points, at the cuts at which parts are
-  // merged. As a stretch has at least `least` points, make_part() never joins points on both sides
-  // of its borders. Skips the many cuts of low ranks, because no stretch begins there.
-  void find_stretches(const Spatial_order_2& order)
+  // Divides points into stretches of at most about `most` points, at those of the cuts at which
+  // parts are merged. As a stretch has at least `least` points, make_part() never joins points on
+  // both sides of its borders.
+  static std::vector<Stretch> find_stretches(const Spatial_order_2& order,
+                                             const std::vector<Index>& cuts, std::size_t most)
   {
-    constexpr std::size_t least = 16, stretches = 64;
+    constexpr std::size_t least = 16;
     constexpr int lowest = (std::numeric_limits<int>::min)();
-    const std::size_t most = order.size() / stretches;
+    std::vector<Stretch> stretches;
     const auto close = [&](const Open_stretch& s, std::size_t beyond) {
       if (!s.is_divided && beyond - s.first >= least && s.rank_inside < s.rank)
-        m_stretches.push_back({s.first, beyond, Part()});
+        stretches.push_back({s.first, beyond, Part()});
     };
-    const int least_rank = usually_highest_rank(order);
     std::vector<Open_stretch> open{{0, rank(order, 0), lowest, false}};
-    for (std::size_t i = 1; i <= order.size(); ++i) {
+    for (const std::size_t i : cuts) {
       const int next_rank = rank(order, i);
-      if (next_rank < least_rank)
-        continue;
       while (open.back().rank < next_rank) { // the last two are merged
         const Open_stretch right = open.back();
         open.pop_back();
@@ -179,8 +191,24 @@ private:
       }
       open.push_back({i, next_rank, lowest, false});
     }
-    std::sort(m_stretches.begin(), m_stretches.end(),
+    std::sort(stretches.begin(), stretches.end(),
               [](const Stretch& s, const Stretch& t) { return s.first < t.first; });
+    return stretches;
+  }
+
+  // The cuts between the points at which stretches may begin, and that behind the last point: skips
+  // the many of low ranks.
+  static std::vector<Index> high_cuts(const Spatial_order_2& order)
+  {
+    const int least_rank = usually_highest_rank(order);
+    std::vector<Index> cuts;
+    append_by_parts<Parts>(order.size(), Parts::usual_size, cuts,
+                           [&](std::size_t first, std::size_t beyond, std::vector<Index>& some) {
+                             for (std::size_t i = first + 1; i <= beyond; ++i)
+                               if (rank(order, i) >= least_rank)
+                                 some.push_back(Index(i));
+                           });
+    return cuts;
   }
 
   // Returns a rank that only about one cut in sixteen reaches.

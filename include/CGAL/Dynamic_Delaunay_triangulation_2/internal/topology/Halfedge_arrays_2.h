@@ -204,10 +204,10 @@ protected:
     Edge_index edge;
   };
 
-  Column<Halfedge_index, Halfedge, Uninitialized_vector<Halfedge>> m_halfedges;
+  Uninitialized_column<Halfedge_index, Halfedge> m_halfedges;
   Column<Edge_index, Edge_2> m_edges;
-  Column<Edge_index, Halfedge_index, Uninitialized_vector<Halfedge_index>> m_halfedge_of_edge;
-  Column<Vertex_index, Halfedge_index> m_corner;
+  Uninitialized_column<Edge_index, Halfedge_index> m_halfedge_of_edge;
+  Uninitialized_column<Vertex_index, Halfedge_index> m_corner;
 };
 
 } // namespace internal

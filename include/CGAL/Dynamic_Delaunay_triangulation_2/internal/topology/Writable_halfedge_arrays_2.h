@@ -40,7 +40,7 @@ public:
 
   void resize(Index vertices, Index faces)
   {
-    m_corner.assign(vertices + 1, null_index);
+    m_corner.resize(vertices + std::size_t(1));
     m_halfedges.resize(3 * std::size_t(faces));
     m_edges.resize(3 * std::size_t(faces) / 2);
     m_halfedge_of_edge.resize(3 * std::size_t(faces) / 2);
@@ -74,9 +74,10 @@ public:
   // WRITING EVERYTHING --------------------------------------------------------------------------
 
   // Writes all faces, finds the corners and numbers the edges. `apex_and_twin(f, i)` returns those
-  // of the i-th half-edge of face f. Threads share the faces.
-  template <class Parts, class Function>
-  void write(Index vertices, Index faces, const Function& apex_and_twin)
+  // of the i-th half-edge of face f. Threads share the faces. When all are written, one of them
+  // calls `companion()`, which may free what was read.
+  template <class Parts, class Function, class Companion>
+  void write(Index vertices, Index faces, const Function& apex_and_twin, const Companion& companion)
   {
     resize(vertices, faces);
     Parts::for_each_element(faces, [&](std::size_t number) {
@@ -89,7 +90,7 @@ public:
       }
     });
     find_corners<Parts>();
-    number_edges<Parts>();
+    number_edges<Parts>(companion);
   }
 
   // Finds twins and corners, and numbers the edges, if only the vertices and the neighbors of faces
@@ -104,15 +105,14 @@ public:
         if (source(g) == target(h)) // and then target(g) == source(h), as neighbors share an edge
           m_halfedges[h].twin = g;
     }
-    std::fill(m_corner.begin(), m_corner.end(), null_index);
     find_corners<Parts>();
-    number_edges<Parts>();
+    number_edges<Parts>([] {});
   }
 
   // Makes the last half-edge with apex v the corner of v. Each part of the half-edges sets the
-  // corners of one part of the vertices. Half-edges with other apexes are left over; they are few
-  // if faces and vertices are numbered in the same order and the parts are large. The `edge` member
-  // of each of them holds the next one, because edges have no numbers yet.
+  // corners of one part of the vertices. Half-edges with other apexes are left over for the parts
+  // of these; they are few if faces and vertices are numbered in the same order and the parts are
+  // large. The `edge` member of each of them holds the next one, because edges have no numbers yet.
   template <class Parts>
   void find_corners()
   {
@@ -122,36 +122,46 @@ public:
         m_corner[apex(h)] = h;
       return;
     }
-    constexpr std::size_t few_parts = 16;
-    const std::size_t least = (std::max)(Parts::usual_size, halfedges / few_parts);
+    constexpr std::size_t most_parts = 16;
+    const std::size_t least = (std::max)(Parts::usual_size, halfedges / most_parts);
     const std::size_t parts = Parts::number(halfedges, least);
-    std::array<Halfedge_index, Parts::max_parts> left_over;
+    const auto begin = [&](std::size_t part) { return Parts::begin(part, parts, vertices); };
+    std::array<std::array<Halfedge_index, most_parts>, most_parts> left_over;
     Parts::for_each(halfedges, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-      const std::size_t low = Parts::begin(part, parts, vertices),
-                        high = Parts::begin(part + 1, parts, vertices);
-      left_over[part] = null_index;
+      left_over[part].fill(null_index);
+      const std::size_t low = begin(part), high = begin(part + 1);
+      std::fill(m_corner.begin() + std::ptrdiff_t(low), m_corner.begin() + std::ptrdiff_t(high),
+                null_index);
       for (Halfedge_index h(first); h < beyond; ++h)
         if (apex(h) >= low && apex(h) < high)
           m_corner[apex(h)] = h;
-        else
-          m_halfedges[h].edge =
-              Edge_index(Index(std::exchange(left_over[part], h))); // the next one
+        else {
+          std::size_t other = apex(h) / (vertices / parts + 1); // or one of the next
+          while (apex(h) >= begin(other + 1))
+            ++other;
+          m_halfedges[h].edge = Edge_index(Index(std::exchange(left_over[part][other], h)));
+        }
     });
-    for (std::size_t part = 0; part < parts; ++part)
-      for (Halfedge_index h = left_over[part]; h != null_index;
-           h = Halfedge_index(Index(edge_of(h)))) {
-        Halfedge_index& corner = m_corner[apex(h)];
-        corner = corner == null_index ? h : (std::max)(corner, h);
-      }
+    Parts::run(parts, [&](std::size_t other) {
+      for (std::size_t part = 0; part < parts; ++part)
+        for (Halfedge_index h = left_over[part][other]; h != null_index;
+             h = Halfedge_index(Index(edge_of(h)))) {
+          Halfedge_index& corner = m_corner[apex(h)];
+          corner = corner == null_index ? h : (std::max)(corner, h);
+        }
+    });
   }
 
-  // Numbers the edges along the faces, so that edges close in space are close in memory.
-  template <class Parts>
-  void number_edges()
+  // Numbers the edges along the faces, so that edges close in space are close in memory. If threads
+  // share the work, one of them calls `companion()`.
+  template <class Parts, class Companion>
+  void number_edges(const Companion& companion)
   {
-    const std::size_t halfedges = m_halfedges.size();
-    if (!Parts::are_shared(Parts::number(halfedges)))
+    const std::size_t halfedges = m_halfedges.size(), parts = Parts::number(halfedges);
+    if (!Parts::are_shared(parts)) {
+      companion();
       return number_edges_of(Halfedge_index(0), Halfedge_index(halfedges), Edge_index(0));
+    }
     std::array<Edge_index, Parts::max_parts> edges;
     Parts::for_each(halfedges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
       edges[part] = Edge_index(0);
@@ -159,10 +169,15 @@ public:
         edges[part] += h < twin(h);
     });
     Edge_index sum(0);
-    for (std::size_t part = 0; part < Parts::number(halfedges); ++part)
+    for (std::size_t part = 0; part < parts; ++part)
       sum += std::exchange(edges[part], sum);
-    Parts::for_each(halfedges, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-      number_edges_of(Halfedge_index(first), Halfedge_index(beyond), edges[part]);
+    const auto begin = [&](std::size_t part) {
+      return Halfedge_index(Parts::begin(part, parts, halfedges));
+    };
+    Parts::run(parts + 1, [&](std::size_t i) {
+      if (i == 0)
+        return companion();
+      number_edges_of(begin(i - 1), begin(i), edges[i - 1]);
     });
   }
 
