@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <new>
 #include <vector>
 
@@ -371,20 +370,14 @@ public:
   // and faces take the free numbers. No other slots may exist. If it throws, nothing has changed.
   void drop(const std::vector<Slot>& empty_slots)
   {
-    collect_numbers(empty_slots);
-    const std::size_t kept_edges = m_arrays.number_of_edges() - m_empty_edges.size();
-    m_number_of_edge.assign(m_empty_edges.size(), null_index); // of the edges from `kept_edges` on
+    collect_numbers(empty_slots, [](auto& numbers) { make_distinct(numbers); });
     m_changes.renumberings.reserve_for_removals(empty_slots.size());
-    const auto note = [&](Edge_index from, Edge_index to) {
-      m_number_of_edge[from - kept_edges] = to;
-    };
-    drop_collected(note); // nothing throws from here on
+    drop_collected(); // nothing throws from here on
     auto& new_edges = m_changes.new_edges;
     if (m_changes.everything_is_new) // some of these numbers can no longer be traced
       return new_edges.clear();
     for (Edge_index& e : new_edges)
-      while (e != null_index && e >= kept_edges)
-        e = m_number_of_edge[e - kept_edges];
+      e = m_edges_to(e);
     new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), null_index), new_edges.end());
   }
 
@@ -392,8 +385,8 @@ public:
   void drop_in_need(const std::vector<Slot>& empty_slots)
   {
     m_changes.everything_is_new = true;
-    collect_numbers(empty_slots);
-    drop_collected([](Edge_index, Edge_index) {});
+    collect_numbers(empty_slots, [](auto& numbers) { std::sort(numbers.begin(), numbers.end()); });
+    drop_collected();
   }
 
   // Reserves memory to put so many vertices into faces, or to drop their slots, after memory has
@@ -404,6 +397,9 @@ public:
     m_empty_vertices.reserve(number);
     m_empty_faces.reserve(2 * number);
     m_empty_edges.reserve(3 * number);
+    m_vertices_to.reserve(number);
+    m_faces_to.reserve(2 * number);
+    m_edges_to.reserve(3 * number);
   }
 
   // IDS AND POINTS ------------------------------------------------------------------------------
@@ -588,9 +584,9 @@ private:
     return slot;
   }
 
-  // Collects the numbers of these slots in descending order. In this order, the last element is
-  // never empty, unless it is the one to remove.
-  void collect_numbers(const std::vector<Slot>& empty_slots)
+  // Collects the numbers of these slots, sorts them, and finds who takes them.
+  template <class Sort>
+  void collect_numbers(const std::vector<Slot>& empty_slots, const Sort& sort)
   {
     m_empty_vertices.clear();
     m_empty_faces.clear();
@@ -602,42 +598,47 @@ private:
       for (const Edge_index e : slot.edges)
         m_empty_edges.push_back(e);
     }
-    const auto sort = [](auto& numbers) {
-      std::sort(numbers.begin(), numbers.end(), std::greater<Index>());
-    };
     sort(m_empty_vertices);
     sort(m_empty_faces);
     sort(m_empty_edges);
+    m_vertices_to.assign(m_arrays.number_of_vertices(), m_empty_vertices);
+    m_faces_to.assign(m_arrays.number_of_faces(), m_empty_faces);
+    m_edges_to.assign(m_arrays.number_of_edges(), m_empty_edges);
   }
 
-  // Removes the collected elements. Calls `note(from, to)` when edge `from` takes the number `to`.
-  template <class Note>
-  void drop_collected(const Note& note)
+  // Gives the collected numbers to the last elements: one by one, or if they are many, in passes
+  // over everything.
+  void drop_collected()
   {
     auto& renumberings = m_changes.renumberings;
-    const bool are_noted = !m_changes.everything_is_new;
-    for (const Face_index f : m_empty_faces) {
-      if (are_noted)
-        renumberings.faces.note_move(Face_index(m_arrays.number_of_faces() - 1), f);
-      m_arrays.move_last_face_to(f);
-      m_editing.move_last_face_data_to(f);
+    if (!m_changes.everything_is_new) {
+      m_faces_to.for_each_from_last(
+          [&](Face_index last, Face_index to) { renumberings.faces.note_move(last, to); });
+      m_edges_to.for_each_from_last(
+          [&](Edge_index last, Edge_index to) { renumberings.edges.note_move(last, to); });
+      m_vertices_to.for_each_from_last(
+          [&](Vertex_index last, Vertex_index to) { renumberings.vertices.note_move(last, to); });
     }
-    for (const Edge_index e : m_empty_edges) {
-      const Edge_index last(m_arrays.number_of_edges() - 1);
-      if (are_noted)
-        renumberings.edges.note_move(last, e);
-      if (last != e)
-        note(last, e);
-      m_arrays.move_last_edge_to(e);
+    constexpr std::size_t many = 128; // one of so many
+    using Parts = typename State::Parts;
+    const std::size_t vertices = m_arrays.number_of_vertices();
+    if (Parts::number(vertices) >= Parts::least_shared && m_empty_vertices.size() >= vertices / many)
+      m_arrays.template fill<Parts>(m_faces_to, m_edges_to, m_vertices_to);
+    else {
+      m_faces_to.for_each_from_last(
+          [this](Face_index, Face_index to) { m_arrays.move_last_face_to(to); });
+      m_edges_to.for_each_from_last(
+          [this](Edge_index, Edge_index to) { m_arrays.move_last_edge_to(to); });
+      m_vertices_to.for_each_from_last(
+          [this](Vertex_index, Vertex_index to) { m_arrays.move_last_vertex_to(to); });
     }
-    for (const Vertex_index v : m_empty_vertices) {
-      if (are_noted)
-        renumberings.vertices.note_move(Vertex_index(m_state.number_of_vertices()), v);
-      m_arrays.move_last_vertex_to(v);
-      m_ids.move_last_vertex_to(v);
-      m_positions.move_last_to(v);
-      m_editing.move_last_vertex_data_to(v);
-    }
+    m_faces_to.for_each_from_last(
+        [this](Face_index, Face_index to) { m_editing.move_last_face_data_to(to); });
+    m_vertices_to.for_each_from_last([this](Vertex_index, Vertex_index to) {
+      m_ids.move_last_vertex_to(to);
+      m_positions.move_last_to(to);
+      m_editing.move_last_vertex_data_to(to);
+    });
   }
 
   // REPLACING -----------------------------------------------------------------------------------
@@ -696,7 +697,9 @@ private:
   std::vector<Vertex_index> m_empty_vertices; // to be dropped, like the following
   std::vector<Face_index> m_empty_faces;
   std::vector<Edge_index> m_empty_edges;
-  std::vector<Edge_index> m_number_of_edge; // in drop(): new numbers
+  Filled_gaps<Vertex_index> m_vertices_to;   // who takes their numbers
+  Filled_gaps<Face_index> m_faces_to;
+  Filled_gaps<Edge_index> m_edges_to;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Renumbering.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 
@@ -351,6 +352,45 @@ public:
       m_corner[v] = m_corner[last];
     }
     m_corner.pop_back();
+  }
+
+  // Does the same for many faces, edges and vertices at once, in passes that threads share.
+  template <class Parts>
+  void fill(const Filled_gaps<Face_index>& faces, const Filled_gaps<Edge_index>& edges,
+            const Filled_gaps<Vertex_index>& vertices)
+  {
+    faces.for_each_from_last([this](Face_index last, Face_index to) {
+      for (Index i = 0; i < 3; ++i)
+        m_halfedges[halfedge_in(to, i)] = m_halfedges[halfedge_in(last, i)];
+    });
+    edges.for_each_from_last([this](Edge_index last, Edge_index to) {
+      m_edges[to] = m_edges[last];
+      m_halfedge_of_edge[to] = m_halfedge_of_edge[last];
+    });
+    vertices.for_each_from_last(
+        [this](Vertex_index last, Vertex_index to) { m_corner[to] = m_corner[last]; });
+    m_halfedges.resize(3 * std::size_t(faces.number_kept()));
+    m_edges.resize(edges.number_kept());
+    m_halfedge_of_edge.resize(edges.number_kept());
+    m_corner.resize(vertices.number_kept());
+    const Halfedge_index first_moved = halfedge_in(Face_index(faces.number_kept()), 0);
+    const auto renumber = [&](Halfedge_index& h) {
+      if (h >= first_moved)
+        h = halfedge_in(faces(face_of(h)), number_in_face(h));
+    };
+    Parts::for_each_element(m_halfedges.size(), [&](std::size_t i) {
+      Halfedge& h = m_halfedges[Halfedge_index(i)];
+      h.apex = vertices(h.apex);
+      renumber(h.twin);
+      h.edge = edges(h.edge);
+    });
+    Parts::for_each_element(m_edges.size(), [&](std::size_t i) {
+      Edge_2& e = m_edges[Edge_index(i)];
+      e = {vertices(e.source), vertices(e.target), vertices(e.left), vertices(e.right)};
+      renumber(m_halfedge_of_edge[Edge_index(i)]);
+    });
+    Parts::for_each_element(m_corner.size(),
+                            [&](std::size_t i) { renumber(m_corner[Vertex_index(i)]); });
   }
 
   void empty(const Slot& slot)
