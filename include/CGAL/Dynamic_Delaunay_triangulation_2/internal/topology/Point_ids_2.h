@@ -259,15 +259,22 @@ public:
   void remove_covered(Point_id id)
   {
     leave(id);
-    free(id);
+    m_vertex_or_ring[id] = null_index;
+    release(id);
   }
 
   // Removes a representative that covers none and frees its id. Its vertex then has none.
   void remove_representative(Point_id id)
   {
+    vacate(id);
+    release(id);
+  }
+  // Does so, but leaves it to the caller to release the id. Threads may do this at the same time.
+  void vacate(Point_id id)
+  {
     CGAL_precondition(!is_in_ring(id));
     m_representative[vertex(id)] = null_index;
-    free(id);
+    m_vertex_or_ring[id] = null_index;
   }
 
   // Makes a covered point the representative of its vertex, and covers the representative, whose
@@ -384,12 +391,6 @@ private:
     }
     m_covered.pop_back();
     m_covered_points.pop_back();
-  }
-
-  void free(Point_id id)
-  {
-    m_vertex_or_ring[id] = null_index;
-    release(id);
   }
 
   static constexpr Index first_in_ring = Index(1) << 31;
