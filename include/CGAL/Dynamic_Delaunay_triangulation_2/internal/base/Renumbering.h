@@ -48,6 +48,17 @@ public:
     return place < m_new.size() ? m_new[place] : i;
   }
 
+  // Calls f(from, to) for the last elements that stay: element `from` takes the number `to`. Threads
+  // share the calls.
+  template <class Parts, class Function>
+  void for_each_move(const Function& f) const
+  {
+    Parts::for_each_element(m_new.size(), [&](std::size_t i) {
+      if (m_new[i] != null_index)
+        f(Index_of_kind(m_kept + Index(i)), m_new[i]);
+    });
+  }
+
   // Calls f(last, to) for the last elements, from the last one on: element `last` takes the number
   // `to`, its own if it was removed.
   template <class Function>

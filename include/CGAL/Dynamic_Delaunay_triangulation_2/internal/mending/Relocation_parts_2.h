@@ -7,13 +7,16 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Point_location_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Spatial_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -103,6 +106,7 @@ public:
         return false;
       mine.nearby = m_state.arrays().apex(Halfedge_arrays_2::halfedge_in(location.face, 0));
       mine.polygon.add(s);
+      m_editor.prefetch(mine.polygon);
       put(edit, i, mine.polygon);
       return true;
     };
@@ -159,9 +163,11 @@ private:
         m_editor.edit_in_parts(number(), list.size(), [&](std::size_t part, Edit& edit) {
           Part& mine = m_parts[part];
           mine.empty.reserve(mine.places.size());
-          for (const Index place : mine.places)
-            if (!work(parts, part, edit, list[place]))
-              mine.left.push_back(place);
+          for (std::size_t i = 0; i < mine.places.size(); ++i) {
+            fetch_ahead(list, mine.places, i);
+            if (!work(parts, part, edit, list[mine.places[i]]))
+              mine.left.push_back(mine.places[i]);
+          }
         });
       } catch (...) {
         collect();
@@ -171,6 +177,29 @@ private:
       keep_left(list);
     }
   }
+
+  // The stars of the next vertices that go are fetched together, step by step around each.
+  void fetch_ahead(const std::vector<Vertex_index>& vertices, const std::vector<Index>& places,
+                   std::size_t first) const
+  {
+    constexpr std::size_t stretch = 8, usual_degree = 6;
+    if (first % stretch != 0)
+      return;
+    const auto& arrays = m_state.arrays();
+    std::array<Halfedge_index, stretch> corners;
+    const std::size_t number = (std::min)(stretch, places.size() - first);
+    for (std::size_t i = 0; i < number; ++i) {
+      corners[i] = arrays.corner(vertices[places[first + i]]);
+      arrays.prefetch_face(corners[i]);
+    }
+    for (std::size_t step = 0; step < usual_degree; ++step)
+      for (std::size_t i = 0; i < number; ++i) {
+        prefetch(&m_state.positions()[arrays.source(corners[i])]);
+        corners[i] = arrays.next_corner(corners[i]);
+        arrays.prefetch_face(corners[i]);
+      }
+  }
+  static void fetch_ahead(const std::vector<Index>&, const std::vector<Index>&, std::size_t) {}
 
   void divide(const Spatial_parts& parts)
   {

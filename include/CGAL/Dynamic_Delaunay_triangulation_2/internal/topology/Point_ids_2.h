@@ -116,6 +116,11 @@ public:
   void list_next_ids(std::size_t number, std::vector<Point_id>& ids) const
   {
     ids.clear();
+    if (are_many(number)) {
+      ids = m_free_ids;
+      make_distinct(ids);
+      ids.resize((std::min)(number, ids.size()));
+    }
     const auto comes_later = [this](std::size_t i, std::size_t j) {
       return m_free_ids[i] > m_free_ids[j];
     };
@@ -130,7 +135,7 @@ public:
     ids.reserve(number);
     if (number == 1 && !m_free_ids.empty()) // most calls insert a single point
       ids.push_back(m_free_ids.front());
-    else
+    else if (ids.empty())
       consider(0);
     while (ids.size() < number && !places.empty()) {
       std::pop_heap(places.begin(), places.end(), comes_later);
@@ -210,8 +215,16 @@ public:
   {
     reserve_extra(m_free_ids, next_ids.size());
     reserve_extra(m_vertex_or_ring, next_ids.size());
-    for (const Point_id id : next_ids)
-      if (id == number_of_ids()) {
+    auto next = next_ids.begin();
+    if (are_many(next_ids.size())) { // they are the smallest, and ascending numbers are a heap
+      const std::size_t reused = (std::min)(next_ids.size(), m_free_ids.size());
+      make_distinct(m_free_ids);
+      CGAL_precondition(std::equal(next, next + std::ptrdiff_t(reused), m_free_ids.begin()));
+      m_free_ids.erase(m_free_ids.begin(), m_free_ids.begin() + std::ptrdiff_t(reused));
+      next += std::ptrdiff_t(reused);
+    }
+    for (; next != next_ids.end(); ++next)
+      if (const Point_id id = *next; id == number_of_ids()) {
         m_vertex_or_ring.push_back(null_index);
       } else {
         CGAL_precondition(id == m_free_ids.front());
@@ -322,6 +335,13 @@ private:
     Vertex_index vertex;
     Index next, previous; // in the ring of those at the vertex
   };
+
+  // Whether so many of the free ids are many, so that all are sorted.
+  bool are_many(std::size_t number) const
+  {
+    constexpr std::size_t few = 16, part = 16;
+    return number > few && number >= m_free_ids.size() / part;
+  }
 
   // THE RING OF A VERTEX --------------------------------------------------------------------------
 

@@ -359,16 +359,16 @@ public:
   void fill(const Filled_gaps<Face_index>& faces, const Filled_gaps<Edge_index>& edges,
             const Filled_gaps<Vertex_index>& vertices)
   {
-    faces.for_each_from_last([this](Face_index last, Face_index to) {
+    faces.template for_each_move<Parts>([this](Face_index from, Face_index to) {
       for (Index i = 0; i < 3; ++i)
-        m_halfedges[halfedge_in(to, i)] = m_halfedges[halfedge_in(last, i)];
+        m_halfedges[halfedge_in(to, i)] = m_halfedges[halfedge_in(from, i)];
     });
-    edges.for_each_from_last([this](Edge_index last, Edge_index to) {
-      m_edges[to] = m_edges[last];
-      m_halfedge_of_edge[to] = m_halfedge_of_edge[last];
+    edges.template for_each_move<Parts>([this](Edge_index from, Edge_index to) {
+      m_edges[to] = m_edges[from];
+      m_halfedge_of_edge[to] = m_halfedge_of_edge[from];
     });
-    vertices.for_each_from_last(
-        [this](Vertex_index last, Vertex_index to) { m_corner[to] = m_corner[last]; });
+    vertices.template for_each_move<Parts>(
+        [this](Vertex_index from, Vertex_index to) { m_corner[to] = m_corner[from]; });
     m_halfedges.resize(3 * std::size_t(faces.number_kept()));
     m_edges.resize(edges.number_kept());
     m_halfedge_of_edge.resize(edges.number_kept());
@@ -378,15 +378,19 @@ public:
       if (h >= first_moved)
         h = halfedge_in(faces(face_of(h)), number_in_face(h));
     };
+    const Index first_vertex = vertices.number_kept(), first_edge = edges.number_kept();
     Parts::for_each_element(m_halfedges.size(), [&](std::size_t i) {
       Halfedge& h = m_halfedges[Halfedge_index(i)];
-      h.apex = vertices(h.apex);
+      if (h.apex >= first_vertex)
+        h.apex = vertices(h.apex);
       renumber(h.twin);
-      h.edge = edges(h.edge);
+      if (h.edge >= first_edge)
+        h.edge = edges(h.edge);
     });
     Parts::for_each_element(m_edges.size(), [&](std::size_t i) {
       Edge_2& e = m_edges[Edge_index(i)];
-      e = {vertices(e.source), vertices(e.target), vertices(e.left), vertices(e.right)};
+      if ((std::max)({e.source, e.target, e.left, e.right}) >= first_vertex)
+        e = {vertices(e.source), vertices(e.target), vertices(e.left), vertices(e.right)};
       renumber(m_halfedge_of_edge[Edge_index(i)]);
     });
     Parts::for_each_element(m_corner.size(),
