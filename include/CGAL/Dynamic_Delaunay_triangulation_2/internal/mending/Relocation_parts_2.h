@@ -49,28 +49,30 @@ public:
   {
     const std::size_t parts = number();
     return State::predicates_are_exact && parts >= Parts::least_shared &&
-           vertices >= parts * (Parts::usual_size / 256);
+           vertices > parts * (Parts::usual_size / 1024);
   }
 
-  // Removes vertices, and keeps in the list those that are left. Appends to `empty`, which must
-  // have the memory.
-  void remove(std::vector<Vertex_index>& vertices, std::vector<Slot>& empty)
+  // Takes vertices out, and keeps in the list those that are left: take_out(edit, polygon) does it
+  // for one. Appends to `slots`, which must have the memory.
+  template <class Take_out>
+  void take_out(std::vector<Vertex_index>& vertices, std::vector<Slot>& slots,
+                const Take_out& take_out)
   {
     const auto position = [this](Vertex_index v) {
       return m_state.position_in_order(m_state.positions()[v]);
     };
-    const auto remove = [this](const Spatial_parts& parts, std::size_t part, Edit& edit,
-                               Vertex_index v) {
+    const auto work = [&](const Spatial_parts& parts, std::size_t part, Edit& edit,
+                          Vertex_index v) {
       Part& mine = m_parts[part];
       if (!parts.has_star(part, v) || !mine.polygon.read(m_state, v))
         return false;
       m_editor.prefetch(mine.polygon);
       if (!mine.polygon.triangulate_as_delaunay(m_state))
         return false;
-      mine.empty.push_back(edit.remove(mine.polygon));
+      mine.slots.push_back(take_out(edit, mine.polygon));
       return true;
     };
-    run(vertices, empty, position, [](const Spatial_parts&) {}, remove);
+    run(vertices, slots, position, [](const Spatial_parts&) {}, work);
   }
 
   // Puts in the vertices of slots, and keeps in the list the numbers of those that are left. `slot`
@@ -110,8 +112,8 @@ public:
       put(edit, i, mine.polygon);
       return true;
     };
-    std::vector<Slot> empty;
-    run(numbers, empty, position, begin, put_in);
+    std::vector<Slot> none;
+    run(numbers, none, position, begin, put_in);
     for (Part& part : m_parts)
       steps += part.steps;
     return steps;
@@ -124,7 +126,7 @@ private:
   struct Part
   {
     std::vector<Index> places, left; // in the list of those that come or go
-    std::vector<Slot> empty;
+    std::vector<Slot> slots; // of those that it has taken out
     Star_polygon_2<State> polygon;
     Vertex_index nearby = null_index; // where the next walk starts
     std::size_t steps = 0;
@@ -140,7 +142,7 @@ private:
   // Calls work(parts, part, edit, element) for all elements of the list, in parts and some rounds.
   // Keeps those for which it returns false. Calls begin(parts) before each round.
   template <class Element, class Position_of, class Begin, class Work>
-  void run(std::vector<Element>& list, std::vector<Slot>& empty, const Position_of& position,
+  void run(std::vector<Element>& list, std::vector<Slot>& slots, const Position_of& position,
            const Begin& begin, const Work& work)
   {
     m_parts.resize((std::max)(number(), m_parts.size()));
@@ -155,14 +157,14 @@ private:
       begin(parts);
       const auto collect = [&] {
         for (Part& part : m_parts) {
-          empty.insert(empty.end(), part.empty.begin(), part.empty.end());
-          part.empty.clear();
+          slots.insert(slots.end(), part.slots.begin(), part.slots.end());
+          part.slots.clear();
         }
       };
       try {
         m_editor.edit_in_parts(number(), list.size(), [&](std::size_t part, Edit& edit) {
           Part& mine = m_parts[part];
-          mine.empty.reserve(mine.places.size());
+          mine.slots.reserve(mine.places.size());
           for (std::size_t i = 0; i < mine.places.size(); ++i) {
             fetch_ahead(list, mine.places, i);
             if (!work(parts, part, edit, list[mine.places[i]]))

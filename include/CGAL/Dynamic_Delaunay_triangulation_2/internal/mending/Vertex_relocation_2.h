@@ -112,6 +112,20 @@ public:
     return is_known;
   }
 
+  // Does so with the vertices of a list, by parts, if they are many. Returns how many it has taken
+  // out; the others, which it keeps in the list, may be known, too.
+  std::size_t take_out_of_delaunay(std::vector<Vertex_index>& vertices)
+  {
+    const std::size_t number = vertices.size();
+    if (!m_parts.are_worth(number))
+      return 0;
+    reserve_for_slots(number);
+    m_parts.take_out(vertices, m_waiting, [](auto& edit, const Star_polygon_2<State>& polygon) {
+      return edit.take_out(polygon);
+    });
+    return number - vertices.size();
+  }
+
   // Removes the points with these ids. A representative leaves its vertex to a covered point, if
   // there is one. Returns the vertices that this has moved, because that is elsewhere by now.
   //
@@ -319,7 +333,9 @@ private:
     if (m_parts.are_worth(m_rest.size())) {
       make_distinct(m_rest);
       reserve_for_slots(m_rest.size());
-      m_parts.remove(m_rest, m_empty);
+      m_parts.take_out(m_rest, m_empty, [](auto& edit, const Star_polygon_2<State>& polygon) {
+        return edit.remove(polygon);
+      });
     }
     std::size_t left = 0;
     for (const Vertex_index v : m_rest) {

@@ -324,6 +324,13 @@ public:
   class Edit_of_part
   {
   public:
+    Slot take_out(const Polygon& polygon)
+    {
+      return m_editor.take_out(polygon, m_writer, m_changes.edges, [&] {
+        m_editor.m_editing.before_vertex_relocation(polygon.center());
+      });
+    }
+
     // Removes the center's only point, whose id must stay unused until the parts end.
     Slot remove(const Polygon& polygon)
     {
