@@ -153,7 +153,7 @@ public:
     m_editor.reserve_for_removals(ids.size());
     m_rest.clear();
     for (const Point_id id : ids)
-      if (m_state.ids().is_representative(id) && find_successor(id) == null_index)
+      if (m_state.ids().is_alone(id))
         m_rest.push_back(m_state.ids().vertex(id));
     remove_of_delaunay();
   }
@@ -306,23 +306,16 @@ private:
   {
     const auto& ids = m_state.ids();
     const Vertex_index v = ids.vertex(id);
+    if (ids.is_alone(id))
+      return m_rest.push_back(v);
     if (ids.is_representative(id)) {
-      const Point_id successor = find_successor(id);
-      if (successor == null_index)
-        return m_rest.push_back(v);
+      const Point_id successor = ids.find_covered_at(v, [](const Point&) { return true; });
       const Point p = m_state.point(v);
       if (!m_state.is_at(ids.covered_point(successor), v))
         moved.push_back(v);
       m_editor.exchange_representative(successor, v, p);
     }
     m_editor.remove_covered(id);
-  }
-
-  // A covered point that can take the vertex of this point, or `null_index`.
-  Point_id find_successor(Point_id id) const
-  {
-    const auto& ids = m_state.ids();
-    return ids.find_covered_at(ids.vertex(id), [](const Point&) { return true; });
   }
 
   // Removes the listed vertices for which that is known to leave everything Delaunay: by parts, if
@@ -405,16 +398,18 @@ private:
     const std::size_t coming = m_coming_points.size();
     const std::size_t first = m_empty.size() - (std::min)(m_empty.size(), coming);
     reserve_for_slots(coming);
-    std::size_t next = first;
+    std::vector<Index> numbers; // of the new points
+    numbers.reserve(coming);
     for (std::size_t k = 0; k < m_order.size(); ++k)
-      if (const Index i = m_order[k]; i >= first_coming) {
-        const Point& p = m_coming_points[i - first_coming];
-        if (next == m_empty.size())
-          m_empty.push_back(m_editor.make_slot(p));
-        else
-          m_editor.renew_vertex(m_empty[next], p);
-        ++next;
-      }
+      if (m_order[k] >= first_coming)
+        numbers.push_back(Index(m_order[k] - first_coming));
+    const auto point = [&](std::size_t k) -> const Point& { return m_coming_points[numbers[k]]; };
+    const std::size_t renewed = m_empty.size() - first;
+    for (std::size_t k = 0; k < renewed; ++k)
+      m_editor.renew_vertex(m_empty[first + k], point(k));
+    m_editor.make_slots(
+        coming - renewed,
+        [&](std::size_t k) -> const Point& { return point(renewed + k); }, m_empty);
     return first;
   }
 
@@ -531,7 +526,7 @@ private:
   {
     if (m_empty.empty()) {
       reserve_for_slots(1);
-      m_empty.push_back(m_editor.make_slot(p));
+      m_editor.make_slots(1, [&](std::size_t) -> const Point& { return p; }, m_empty);
     } else
       m_editor.renew_vertex(m_empty.back(), p);
     return m_empty.back();

@@ -208,23 +208,20 @@ public:
   // IN STEP WITH THE VERTICES -------------------------------------------------------------------
 
   // After this, append() throws only what copying a point throws.
-  void reserve_for_vertex()
+  // Appends so many vertices, the i-th at point(i). Threads share the calls. If it throws, some may
+  // have been appended.
+  template <class Parts, class Point_of>
+  void append(std::size_t number, const Point_of& point)
   {
-    reserve_extra(m_points, 1);
+    const std::size_t first = m_points.size();
+    m_points.resize(first + number);
     if constexpr (!points_are_two_doubles)
-      reserve_extra(m_positions, 1);
+      m_positions.resize(first + number);
+    Parts::for_each_element(
+        number, [&](std::size_t i) { set(Vertex_index(first + i), point(i)); });
     if (m_is_frame)
-      reserve_extra(m_other_points, 1);
-  }
-
-  void append(const Point& p)
-  {
-    const Position_2 position = approximation(p);
-    m_points.push_back(Arrays::stored(position, p));
-    if constexpr (!points_are_two_doubles)
-      m_positions.push_back(position);
-    if (m_is_frame)
-      m_other_points.push_back(m_points.back());
+      m_other_points.insert(m_other_points.end(), m_points.begin() + std::ptrdiff_t(first),
+                            m_points.end());
   }
 
   // Drops what was appended beyond this number.
@@ -237,15 +234,12 @@ public:
       m_other_points.resize(number);
   }
 
-  void move_last_to(Vertex_index v)
+  // Puts vertex `to` where `from` is.
+  void copy(Vertex_index from, Vertex_index to)
   {
-    forget_previous();
-    m_points[v] = m_points.back();
-    m_points.pop_back();
-    if constexpr (!points_are_two_doubles) {
-      m_positions[v] = m_positions.back();
-      m_positions.pop_back();
-    }
+    m_points[to] = m_points[from];
+    if constexpr (!points_are_two_doubles)
+      m_positions[to] = m_positions[from];
   }
 
   // Copies what is kept between calls, except for the points in the data structure's array.

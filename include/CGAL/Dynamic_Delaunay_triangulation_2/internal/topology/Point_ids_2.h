@@ -54,6 +54,9 @@ public:
     return !is_in_ring(id) || m_covered[number_in_ring(id)].id != id;
   }
 
+  // Whether the point of an id, which must be taken, is the only one of its vertex.
+  bool is_alone(Point_id id) const { return !is_in_ring(id); }
+
   // Covered points have numbers, which change when others come or go.
   Index covered_number(Point_id id) const { return number_in_ring(id); }
   Point_id covered_id(Index number) const { return m_covered[number].id; }
@@ -240,9 +243,9 @@ public:
     std::push_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
   }
 
-  // Reserve memory for one more vertex, for more covered points, or for more free ids. Then nothing
+  // Reserve memory for more vertices, for more covered points, or for more free ids. Then nothing
   // below throws.
-  void reserve_for_vertex() { reserve_extra(m_representative, 1); }
+  void reserve_for_vertices(std::size_t number) { reserve_extra(m_representative, number); }
   void reserve_for_covered(std::size_t number)
   {
     reserve_extra(m_covered, number);
@@ -313,19 +316,16 @@ public:
     m_representative[other] = null_index;
   }
 
-  // Moves the points of the last vertex to `vertex`, which must have none, and drops the last one.
-  void move_last_vertex_to(Vertex_index vertex)
+  // Moves the points of a vertex to another one, which must have none. Threads may do this with
+  // different vertices at the same time.
+  void move_points(Vertex_index from, Vertex_index to)
   {
-    const Vertex_index last(number_of_representatives());
-    CGAL_precondition(!has_representative(vertex));
-    if (vertex != last) {
-      const Point_id id = m_representative[last];
-      for_each_in_ring(last, [&](Index i) { m_covered[i].vertex = vertex; });
-      m_representative[vertex] = id;
-      if (!is_in_ring(id))
-        m_vertex_or_ring[id] = vertex;
-    }
-    m_representative.pop_back();
+    CGAL_precondition(!has_representative(to));
+    const Point_id id = m_representative[from];
+    for_each_in_ring(from, [&](Index i) { m_covered[i].vertex = to; });
+    m_representative[to] = id;
+    if (!is_in_ring(id))
+      m_vertex_or_ring[id] = to;
   }
 
 private:

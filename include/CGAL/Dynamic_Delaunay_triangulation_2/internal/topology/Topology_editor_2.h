@@ -388,22 +388,23 @@ public:
                  });
   }
 
-  // Makes a slot with the next numbers and a vertex at p without representative. If it throws,
-  // nothing has changed.
-  Slot make_slot(const Point& p)
+  // Makes slots with the next numbers and vertices without representatives, the i-th at point(i).
+  // Appends them to `slots`, which must have the memory. If it throws, nothing has changed.
+  template <class Point_of>
+  void make_slots(std::size_t number, const Point_of& point, std::vector<Slot>& slots)
   {
-    m_arrays.reserve_for_slot();
-    m_ids.reserve_for_vertex();
-    m_positions.reserve_for_vertex();
-    m_editing.reserve_for_slot();
-    append_vertex(p);
-    const Slot slot = m_arrays.append_slot();
-    m_ids.append_vertex();
+    m_arrays.reserve_for_slots(number);
+    m_ids.reserve_for_vertices(number);
+    m_editing.reserve_for_slots(number);
+    append_vertices(number, point);
     auto& renumberings = m_changes.renumberings;
-    renumberings.vertices.note_appended(slot.vertex);
-    renumberings.edges.note_appended(slot.edges[0]);
-    renumberings.faces.note_appended(slot.faces[0]);
-    return slot;
+    renumberings.vertices.note_appended(Vertex_index(m_arrays.number_of_vertices()));
+    renumberings.edges.note_appended(Edge_index(m_arrays.number_of_edges()));
+    renumberings.faces.note_appended(Face_index(m_arrays.number_of_faces()));
+    for (std::size_t i = 0; i < number; ++i) {
+      slots.push_back(m_arrays.append_slot());
+      m_ids.append_vertex();
+    }
   }
 
   // Replaces the slot's vertex, which has no representative, by a fresh one at p. If it throws,
@@ -589,13 +590,14 @@ private:
 
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
 
-  // Appends the data of a slot, with a vertex at p. If it throws, nothing has changed.
-  void append_vertex(const Point& p)
+  // Appends the data of slots. If it throws, nothing has changed.
+  template <class Point_of>
+  void append_vertices(std::size_t number, const Point_of& point)
   {
     const std::size_t vertices = m_arrays.number_of_vertices(), faces = m_arrays.number_of_faces();
     try {
-      m_positions.append(p);
-      m_editing.append_slot();
+      m_positions.template append<typename State::Parts>(number, point);
+      m_editing.append_slots(number);
     } catch (...) {
       m_positions.resize(vertices);
       m_editing.resize_data(vertices, faces);
@@ -712,11 +714,15 @@ private:
     }
     m_faces_to.for_each_from_last(
         [this](Face_index, Face_index to) { m_editing.move_last_face_data_to(to); });
-    m_vertices_to.for_each_from_last([this](Vertex_index, Vertex_index to) {
-      m_ids.move_last_vertex_to(to);
-      m_positions.move_last_to(to);
-      m_editing.move_last_vertex_data_to(to);
+    m_vertices_to.for_each_from_last(
+        [this](Vertex_index, Vertex_index to) { m_editing.move_last_vertex_data_to(to); });
+    m_vertices_to.template for_each_move<Parts>([this](Vertex_index from, Vertex_index to) {
+      m_ids.move_points(from, to);
+      m_positions.copy(from, to);
     });
+    m_ids.resize(m_vertices_to.number_kept() - 1);
+    m_positions.forget_previous();
+    m_positions.resize(m_vertices_to.number_kept());
   }
 
   // REPLACING -----------------------------------------------------------------------------------

@@ -262,13 +262,13 @@ public:
     m_edges[e] = Edge_2{infinite_index, infinite_index, infinite_index, infinite_index};
   }
 
-  // Reserves memory for one more slot. Then append_slot() throws nothing.
-  void reserve_for_slot()
+  // Reserves memory for more slots. Then append_slot() throws nothing.
+  void reserve_for_slots(std::size_t number)
   {
-    reserve_extra(m_halfedges, 6);
-    reserve_extra(m_edges, 3);
-    reserve_extra(m_halfedge_of_edge, 3);
-    reserve_extra(m_corner, 1);
+    reserve_extra(m_halfedges, 6 * number);
+    reserve_extra(m_edges, 3 * number);
+    reserve_extra(m_halfedge_of_edge, 3 * number);
+    reserve_extra(m_corner, number);
   }
 
   // Appends a slot with the next numbers.
