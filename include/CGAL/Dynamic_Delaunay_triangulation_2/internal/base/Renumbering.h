@@ -16,8 +16,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// The new numbers of the last elements of a kind, which take the numbers of removed ones: as many as
-// were removed, in their order.
+// The new numbers of the last elements of a kind, which take the numbers of removed ones: as many
+// as were removed, in their order.
 template <class Index_of_kind>
 class Filled_gaps
 {
@@ -48,8 +48,8 @@ public:
     return place < m_new.size() ? m_new[place] : i;
   }
 
-  // Calls f(from, to) for the last elements that stay: element `from` takes the number `to`. Threads
-  // share the calls.
+  // Calls f(from, to) for the last elements that stay: element `from` takes the number `to`.
+  // Threads share the calls.
   template <class Parts, class Function>
   void for_each_move(const Function& f) const
   {

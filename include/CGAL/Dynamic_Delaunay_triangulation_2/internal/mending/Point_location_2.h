@@ -93,8 +93,8 @@ public:
   {
   }
 
-  // `nearby` is a finite vertex in some face, and free. The numbers of the vertices around the target are
-  // expected to differ from the number of `nearby` by at most `spread`.
+  // `nearby` is a finite vertex in some face, and free. The numbers of the vertices around the
+  // target are expected to differ from the number of `nearby` by at most `spread`.
   Location locate(Vertex_index nearby, Index spread) const
   {
     const Arrays& arrays = m_state.arrays();

@@ -72,7 +72,8 @@ public:
       mine.slots.push_back(take_out(edit, mine.polygon));
       return true;
     };
-    run(vertices, slots, position, [](const Spatial_parts&) {}, work);
+    run(
+        vertices, slots, position, [](const Spatial_parts&) {}, work);
   }
 
   // Puts in the vertices of slots, and keeps in the list the numbers of those that are left. `slot`
@@ -97,10 +98,9 @@ public:
       if (mine.nearby == null_index || s.vertex == null_index)
         return false;
       const Vertex_target_2<State> target(m_state, s.vertex);
-      const Location location =
-          Point_location_2<State, Vertex_target_2<State>, decltype(is_free)>(m_state, target,
-                                                                             is_free)
-              .locate(mine.nearby, spread);
+      const Location location = Point_location_2<State, Vertex_target_2<State>, decltype(is_free)>(
+                                    m_state, target, is_free)
+                                    .locate(mine.nearby, spread);
       mine.steps += location.steps;
       if (location.face == null_index || !location.is_inside ||
           !mine.polygon.find_as_delaunay(m_state, location.face, location.chart, s.vertex,
@@ -126,7 +126,7 @@ private:
   struct Part
   {
     std::vector<Index> places, left; // in the list of those that come or go
-    std::vector<Slot> slots; // of those that it has taken out
+    std::vector<Slot> slots;         // of those that it has taken out
     Star_polygon_2<State> polygon;
     Vertex_index nearby = null_index; // where the next walk starts
     std::size_t steps = 0;
@@ -135,8 +135,7 @@ private:
   std::size_t number() const
   {
     const std::size_t faces = m_state.arrays().number_of_faces();
-    return Parts::number(faces,
-                         (std::max)(Parts::usual_size, faces / Spatial_parts::max_number));
+    return Parts::number(faces, (std::max)(Parts::usual_size, faces / Spatial_parts::max_number));
   }
 
   // Calls work(parts, part, edit, element) for all elements of the list, in parts and some rounds.

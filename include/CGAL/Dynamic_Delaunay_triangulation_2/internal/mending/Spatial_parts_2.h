@@ -67,14 +67,14 @@ public:
   {
     bool has = has_vertex(part, v);
     if (has)
-      m_state.arrays().for_each_neighbor(
-          v, [&](Vertex_index w) { has = has && has_vertex(part, w); });
+      m_state.arrays().for_each_neighbor(v,
+                                         [&](Vertex_index w) { has = has && has_vertex(part, w); });
     return has;
   }
 
 private:
   static constexpr unsigned digits = 6; // of a cell's coordinates
-  static constexpr std::size_t side = 1 << digits, cells = side * side;
+  static constexpr std::uint32_t side = 1 << digits, cells = side * side;
 
   struct Curve
   {

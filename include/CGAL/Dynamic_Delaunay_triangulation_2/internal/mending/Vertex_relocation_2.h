@@ -408,8 +408,8 @@ private:
     for (std::size_t k = 0; k < renewed; ++k)
       m_editor.renew_vertex(m_empty[first + k], point(k));
     m_editor.make_slots(
-        coming - renewed,
-        [&](std::size_t k) -> const Point& { return point(renewed + k); }, m_empty);
+        coming - renewed, [&](std::size_t k) -> const Point& { return point(renewed + k); },
+        m_empty);
     return first;
   }
 
@@ -526,7 +526,8 @@ private:
   {
     if (m_empty.empty()) {
       reserve_for_slots(1);
-      m_editor.make_slots(1, [&](std::size_t) -> const Point& { return p; }, m_empty);
+      m_editor.make_slots(
+          1, [&](std::size_t) -> const Point& { return p; }, m_empty);
     } else
       m_editor.renew_vertex(m_empty.back(), p);
     return m_empty.back();

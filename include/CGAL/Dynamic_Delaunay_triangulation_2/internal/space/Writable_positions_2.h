@@ -8,9 +8,11 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Parallel_parts.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Positions_2.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -207,7 +209,10 @@ public:
 
   // IN STEP WITH THE VERTICES -------------------------------------------------------------------
 
-  // After this, append() throws only what copying a point throws.
+  void append(const Point& p)
+  {
+    append<Parallel_parts<Sequential_tag>>(1, [&](std::size_t) -> const Point& { return p; });
+  }
   // Appends so many vertices, the i-th at point(i). Threads share the calls. If it throws, some may
   // have been appended.
   template <class Parts, class Point_of>
@@ -217,8 +222,7 @@ public:
     m_points.resize(first + number);
     if constexpr (!points_are_two_doubles)
       m_positions.resize(first + number);
-    Parts::for_each_element(
-        number, [&](std::size_t i) { set(Vertex_index(first + i), point(i)); });
+    Parts::for_each_element(number, [&](std::size_t i) { set(Vertex_index(first + i), point(i)); });
     if (m_is_frame)
       m_other_points.insert(m_other_points.end(), m_points.begin() + std::ptrdiff_t(first),
                             m_points.end());

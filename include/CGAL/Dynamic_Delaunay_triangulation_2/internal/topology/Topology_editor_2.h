@@ -702,7 +702,8 @@ private:
     constexpr std::size_t many = 128; // one of so many
     using Parts = typename State::Parts;
     const std::size_t vertices = m_arrays.number_of_vertices();
-    if (Parts::number(vertices) >= Parts::least_shared && m_empty_vertices.size() >= vertices / many)
+    if (Parts::number(vertices) >= Parts::least_shared &&
+        m_empty_vertices.size() >= vertices / many)
       m_arrays.template fill<Parts>(m_faces_to, m_edges_to, m_vertices_to);
     else {
       m_faces_to.for_each_from_last(
@@ -804,7 +805,7 @@ private:
   std::vector<Vertex_index> m_empty_vertices; // to be dropped, like the following
   std::vector<Face_index> m_empty_faces;
   std::vector<Edge_index> m_empty_edges;
-  Filled_gaps<Vertex_index> m_vertices_to;   // who takes their numbers
+  Filled_gaps<Vertex_index> m_vertices_to; // who takes their numbers
   Filled_gaps<Face_index> m_faces_to;
   Filled_gaps<Edge_index> m_edges_to;
 };
