@@ -615,6 +615,58 @@ TEST(Threads, change_nothing_where_points_come_and_go)
   expect_equal_diaries([](std::size_t n) { return Population_motion{n, 0.3}; });
 }
 
+// While the others rest, some points leave, and others come; a few of these coincide with others.
+struct Exchange_at_rest
+{
+  std::size_t size, stride;
+
+  template <class Tag>
+  void run(Diary& diary) const
+  {
+    const Points points = Cloud<Epick>(23).uniform(size);
+    play(diary, points, Planar<Tag>(points.begin(), points.end()));
+    using Told = Planar<Tag, Noting_visitor>;
+    typename Told::Settings settings;
+    settings.visitor = Noting_visitor(&diary);
+    play(diary, points, Told(points.begin(), points.end(), settings));
+
+    const double side = std::sqrt(double(size));
+    const CGAL::Periodic_cell_2 cell(side, 0, 0.3 * side, side);
+    play(diary, points, Periodic<Tag>(points.begin(), points.end(), cell));
+    using Told_in_cell = Periodic<Tag, Noting_periodic_visitor>;
+    typename Told_in_cell::Settings settings_in_cell;
+    settings_in_cell.visitor = Noting_periodic_visitor(&diary);
+    play(diary, points, Told_in_cell(points.begin(), points.end(), cell, settings_in_cell));
+  }
+
+private:
+  template <class Dynamic>
+  void play(Diary& diary, const Points& points, Dynamic dt) const
+  {
+    Cloud<Epick> cloud(24);
+    for (std::size_t frame = 0; frame < 4; ++frame) {
+      std::vector<std::size_t> gone;
+      for (std::size_t id = frame; id < size; id += stride)
+        gone.push_back(id);
+      Points come = cloud.uniform(gone.size());
+      for (std::size_t i = 0; i < come.size(); i += 9)
+        come[i] = i % 2 == 0 ? come[i / 2] : points[i];
+      diary.note(dt.remove(gone));
+      diary.note_state(dt);
+      diary.note(dt.insert(come));
+      diary.note_state(dt);
+      EXPECT_TRUE(dt.is_certified());
+      EXPECT_TRUE(dt.is_valid());
+    }
+  }
+};
+
+TEST(Threads, change_nothing_where_points_come_and_go_at_rest)
+{
+  expect_equal_diaries([](std::size_t n) { return Exchange_at_rest{n, 50}; });
+  expect_equal_diaries([](std::size_t n) { return Exchange_at_rest{n, 15}; });
+}
+
 // In a sheared cell, to which the points are not wrapped.
 struct Periodic_motion
 {

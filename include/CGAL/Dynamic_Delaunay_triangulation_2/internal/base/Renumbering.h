@@ -16,6 +16,65 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
+// The new numbers of the last elements of a kind, which take the numbers of removed ones: as many
+// as were removed, in their order.
+template <class Index_of_kind>
+class Filled_gaps
+{
+public:
+  // Reserves memory for so many removed elements. Then assign() throws nothing.
+  void reserve(std::size_t number) { m_new.reserve(number); }
+
+  // There were `size` elements; `gaps` are the removed ones, ascending.
+  void assign(Index size, const std::vector<Index_of_kind>& gaps)
+  {
+    m_kept = size - Index(gaps.size());
+    m_new.assign(gaps.size(), null_index);
+    auto filled = gaps.begin(), removed = std::lower_bound(gaps.begin(), gaps.end(), m_kept);
+    for (Index i = 0; i < gaps.size(); ++i)
+      if (removed != gaps.end() && *removed == m_kept + i)
+        ++removed;
+      else
+        m_new[i] = *filled++;
+  }
+
+  // The elements that are left have smaller numbers.
+  Index number_kept() const { return m_kept; }
+
+  // The new number of an element, `null_index` if it was removed. That of a gap is the gap's own.
+  Index_of_kind operator()(Index_of_kind i) const
+  {
+    const Index place = i - m_kept; // large if i is smaller: unsigned, it wraps around
+    return place < m_new.size() ? m_new[place] : i;
+  }
+
+  // Calls f(from, to) for the last elements that stay: element `from` takes the number `to`.
+  // Threads share the calls.
+  template <class Parts, class Function>
+  void for_each_move(const Function& f) const
+  {
+    Parts::for_each_element(m_new.size(), [&](std::size_t i) {
+      if (m_new[i] != null_index)
+        f(Index_of_kind(m_kept + Index(i)), m_new[i]);
+    });
+  }
+
+  // Calls f(last, to) for the last elements, from the last one on: element `last` takes the number
+  // `to`, its own if it was removed.
+  template <class Function>
+  void for_each_from_last(const Function& f) const
+  {
+    for (std::size_t i = m_new.size(); i > 0; --i) {
+      const Index_of_kind last(m_kept + Index(i) - 1), to = m_new[i - 1];
+      f(last, to == null_index ? last : to);
+    }
+  }
+
+private:
+  Index m_kept = 0;
+  std::vector<Index_of_kind> m_new; // of the elements from m_kept on
+};
+
 // How the numbers of vertices, edges or faces have changed in a call. The last element takes the
 // number of a removed one. An added element takes the number of a removed one, or the next number.
 template <class Index_of_kind>

@@ -155,6 +155,14 @@ public:
     }
   }
 
+  // Lists the vertices that are still held.
+  void list(std::vector<Vertex_index>& vertices) const
+  {
+    vertices.clear();
+    for (const Held& held : m_held)
+      vertices.push_back(held.vertex);
+  }
+
   // Calls take_out(v) for each vertex v that is still held, and lists those for which it returns
   // false. Then puts all of them at their targets, whatever that does to faces.
   template <class Take_out>

@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
@@ -73,7 +74,10 @@ private:
 // such a walk meets no face twice. In other ones it may not end; after as many steps as there are
 // faces, the result is any face that contains the target or, if there is none, the face in which
 // the walk began. On a torus everything has to be Delaunay.
-template <class State, class Target>
+//
+// If some vertices are not free, because other threads change what is around them, the walk starts
+// from one that is, and crosses edges between free ones only. Then it may find nothing.
+template <class State, class Target, class Is_free = All_vertices_2>
 class Point_location_2
 {
   using Arrays = Halfedge_arrays_2;
@@ -82,14 +86,15 @@ class Point_location_2
 
 public:
   // Both must live as long as this object.
-  Point_location_2(const State& state, const Target& target)
+  Point_location_2(const State& state, const Target& target, const Is_free& is_free = Is_free())
     : m_state(state)
     , m_target(target)
+    , m_is_free(is_free)
   {
   }
 
-  // `nearby` is a finite vertex in some face. The numbers of the vertices around the target are
-  // expected to differ from the number of `nearby` by at most `spread`.
+  // `nearby` is a finite vertex in some face, and free. The numbers of the vertices around the
+  // target are expected to differ from the number of `nearby` by at most `spread`.
   Location locate(Vertex_index nearby, Index spread) const
   {
     const Arrays& arrays = m_state.arrays();
@@ -99,6 +104,10 @@ public:
     location.chart = m_target.chart_at(start);
     Halfedge_index h = way_out(location);
     while (h != null_index && may_go_on(++location.steps)) {
+      if (!m_is_free(arrays.source(h)) || !m_is_free(arrays.target(h))) {
+        location.face = null_index;
+        return location;
+      }
       const Halfedge_index entry = arrays.twin(h);
       location.chart = m_state.chart_beyond(h, location.chart);
       location.face = Arrays::face_of(entry);
@@ -146,7 +155,7 @@ private:
   void consider(Vertex_index w, Nearest& best) const
   {
     const double square = m_target.rounded_squared_distance(w);
-    if (square < best.squared_distance && !m_state.arrays().is_outside(w))
+    if (square < best.squared_distance && m_is_free(w) && !m_state.arrays().is_outside(w))
       best = {w, square};
   }
 
@@ -221,6 +230,7 @@ private:
 
   const State& m_state;
   const Target& m_target;
+  const Is_free m_is_free;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Point_location_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Relocation_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Spatial_order_2.h>
@@ -44,6 +45,7 @@ public:
     : m_state(state)
     , m_editor(editor)
     , m_meeting_order(state)
+    , m_parts(state, editor)
   {
   }
 
@@ -92,7 +94,7 @@ public:
   // along the sides of a slab, these may meet images of themselves.
   bool take_out(Vertex_index v, const Position_2& position)
   {
-    reserve_for_slot();
+    reserve_for_slots(1);
     const bool can_go = triangulate_anyhow_without(v, position);
     if (can_go)
       m_waiting.push_back(m_editor.take_out(m_polygon));
@@ -103,11 +105,25 @@ public:
   // known how. Everything has to be Delaunay before, except that v may have moved.
   bool take_out_of_delaunay(Vertex_index v)
   {
-    reserve_for_slot();
+    reserve_for_slots(1);
     const bool is_known = triangulate_as_delaunay_without(v);
     if (is_known)
       m_waiting.push_back(m_editor.take_out(m_polygon));
     return is_known;
+  }
+
+  // Does so with the vertices of a list, by parts, if they are many. Returns how many it has taken
+  // out; the others, which it keeps in the list, may be known, too.
+  std::size_t take_out_of_delaunay(std::vector<Vertex_index>& vertices)
+  {
+    const std::size_t number = vertices.size();
+    if (!m_parts.are_worth(number))
+      return 0;
+    reserve_for_slots(number);
+    m_parts.take_out(vertices, m_waiting, [](auto& edit, const Star_polygon_2<State>& polygon) {
+      return edit.take_out(polygon);
+    });
+    return number - vertices.size();
   }
 
   // Removes the points with these ids. A representative leaves its vertex to a covered point, if
@@ -122,7 +138,9 @@ public:
     m_rest.clear();
     for (const Point_id id : ids)
       if (m_state.ids().is_taken(id))
-        remove(id, are_delaunay, moved);
+        remove(id, moved);
+    if (are_delaunay)
+      remove_of_delaunay();
     const auto is_outside = [this](Vertex_index v) { return m_state.arrays().is_outside(v); };
     moved.erase(std::remove_if(moved.begin(), moved.end(), is_outside), moved.end());
     return moved;
@@ -135,8 +153,9 @@ public:
     m_editor.reserve_for_removals(ids.size());
     m_rest.clear();
     for (const Point_id id : ids)
-      if (m_state.ids().is_representative(id) && find_successor(id) == null_index)
-        remove_vertex(m_state.ids().vertex(id), true);
+      if (m_state.ids().is_alone(id))
+        m_rest.push_back(m_state.ids().vertex(id));
+    remove_of_delaunay();
   }
 
   // Removes the remaining vertices of the last `remove()`. False if one of them cannot go, see
@@ -144,7 +163,7 @@ public:
   bool remove_rest()
   {
     for (const Vertex_index v : m_rest) {
-      reserve_for_slot();
+      reserve_for_slots(1);
       if (!triangulate_anyhow_without(v, m_state.previous_position(v)))
         return false;
       m_empty.push_back(m_editor.remove(m_polygon));
@@ -173,7 +192,7 @@ public:
       Vertex_index stays = ids.vertex(i), goes = ids.vertex(j);
       if (ids.representative(goes) < ids.representative(stays))
         std::swap(stays, goes);
-      reserve_for_slot();
+      reserve_for_slots(1);
       const Point p = m_state.point(goes);
       triangulate_anyhow_without(goes, m_state.previous_position(goes));
       m_empty.push_back(m_editor.merge(m_polygon, stays, p));
@@ -186,6 +205,7 @@ public:
   struct Counts
   {
     std::size_t relocated = 0, parted = 0, merged = 0, steps = 0;
+    std::size_t in_parts = 0; // put in without a call of `legalize`
   };
 
   // Puts in the waiting vertices, the points that have parted from their vertices, and the new
@@ -200,9 +220,11 @@ public:
   {
     Counts counts;
     collect_positions(parted);
+    if (most_faces() > 0 && m_parts.are_worth(m_numbers.size()))
+      put_in_by_parts(parted.size(), counts);
     Hint hint{any_vertex(), m_state.number_of_vertices()};
-    for (std::size_t k = 0; k < m_order.size(); ++k) {
-      const std::size_t i = m_order[k];
+    for (std::size_t k = 0; k < m_numbers.size(); ++k) {
+      const std::size_t i = m_numbers[k];
       const std::size_t most = most_faces();
       m_replaced = 0;
       const Vertex_index v = i < m_waiting.size()
@@ -210,7 +232,7 @@ public:
                                  : insert(parted, i - m_waiting.size(), hint, most, counts);
       if (v == null_index)
         continue;
-      if (k + 1 < m_order.size())
+      if (k + 1 < m_numbers.size())
         hint = hint_at(v); // flips may join v with vertices that are far away
       if (!legalize(v, counts.steps, m_replaced))
         return counts;
@@ -254,12 +276,12 @@ public:
   }
 
 private:
-  // Reserves all memory that give_up() would need for one more slot.
-  void reserve_for_slot()
+  // Reserves all memory that give_up() would need for more slots.
+  void reserve_for_slots(std::size_t number)
   {
-    const std::size_t max_slots = m_waiting.size() + m_empty.size() + 1;
-    reserve_extra(m_waiting, 1);
-    reserve_extra(m_empty, 1 + m_waiting.size());
+    const std::size_t max_slots = m_waiting.size() + m_empty.size() + number;
+    reserve_extra(m_waiting, number);
+    reserve_extra(m_empty, number + m_waiting.size());
     m_editor.keep_memory_for(2 * max_slots);
   }
 
@@ -279,14 +301,15 @@ private:
     return true;
   }
 
-  void remove(Point_id id, bool are_delaunay, std::vector<Vertex_index>& moved)
+  // Removes a covered point. Lists the vertex of another one, if that has no other point.
+  void remove(Point_id id, std::vector<Vertex_index>& moved)
   {
     const auto& ids = m_state.ids();
     const Vertex_index v = ids.vertex(id);
+    if (ids.is_alone(id))
+      return m_rest.push_back(v);
     if (ids.is_representative(id)) {
-      const Point_id successor = find_successor(id);
-      if (successor == null_index)
-        return remove_vertex(v, are_delaunay);
+      const Point_id successor = ids.find_covered_at(v, [](const Point&) { return true; });
       const Point p = m_state.point(v);
       if (!m_state.is_at(ids.covered_point(successor), v))
         moved.push_back(v);
@@ -295,22 +318,27 @@ private:
     m_editor.remove_covered(id);
   }
 
-  // A covered point that can take the vertex of this point, or `null_index`.
-  Point_id find_successor(Point_id id) const
+  // Removes the listed vertices for which that is known to leave everything Delaunay: by parts, if
+  // they are many, in the order of their numbers, so that those that are close in space are close
+  // in time.
+  void remove_of_delaunay()
   {
-    const auto& ids = m_state.ids();
-    return ids.find_covered_at(ids.vertex(id), [](const Point&) { return true; });
-  }
-
-  // Removes v if that is known to leave everything Delaunay, otherwise lists v for remove_rest().
-  void remove_vertex(Vertex_index v, bool are_delaunay)
-  {
-    reserve_extra(m_rest, 1);
-    reserve_for_slot();
-    if (are_delaunay && triangulate_as_delaunay_without(v))
-      m_empty.push_back(m_editor.remove(m_polygon));
-    else
-      m_rest.push_back(v);
+    if (m_parts.are_worth(m_rest.size())) {
+      make_distinct(m_rest);
+      reserve_for_slots(m_rest.size());
+      m_parts.take_out(m_rest, m_empty, [](auto& edit, const Star_polygon_2<State>& polygon) {
+        return edit.remove(polygon);
+      });
+    }
+    std::size_t left = 0;
+    for (const Vertex_index v : m_rest) {
+      reserve_for_slots(1);
+      if (triangulate_as_delaunay_without(v))
+        m_empty.push_back(m_editor.remove(m_polygon));
+      else
+        m_rest[left++] = v;
+    }
+    m_rest.resize(left);
   }
 
   // Collects the positions to put in: those of waiting vertices, then those of points that
@@ -329,6 +357,60 @@ private:
       add(approximation(p));
     const boost::counting_iterator<Index> first(0), beyond(Index(m_positions.size()));
     m_order.sort(m_positions, first, beyond);
+    m_numbers.resize(m_order.size());
+    for (std::size_t k = 0; k < m_order.size(); ++k)
+      m_numbers[k] = m_order[k];
+  }
+
+  // Puts in, by parts, waiting vertices and new points. What is left stays in m_numbers.
+  void put_in_by_parts(std::size_t parted, Counts& counts)
+  {
+    const std::size_t waiting = m_waiting.size(), first_coming = waiting + parted;
+    const auto is_parted = [&](Index i) { return i >= waiting && i < first_coming; };
+    // the last of the empty slots, in the order of the curve
+    const std::size_t empty = reserve_slots_for_coming(first_coming);
+    const Slot none{null_index, {null_index, null_index}, {null_index, null_index, null_index}};
+    std::vector<Slot> slots(m_order.size(), none);
+    for (std::size_t k = 0, next = empty; k < m_order.size(); ++k)
+      if (const Index i = m_order[k]; !is_parted(i))
+        slots[i] = i < waiting ? m_waiting[i] : m_empty[next++];
+    const auto slot = [&](Index i) -> const Slot& { return slots[i]; };
+    const auto position = [this](Index i) { return m_positions[i]; };
+    const auto put = [&](auto& edit, Index i, const Star_polygon_2<State>& polygon) {
+      if (i < waiting)
+        edit.put_in_again(slots[i], polygon);
+      else
+        edit.put_in_new(slots[i], polygon, m_coming_ids[i - first_coming]);
+    };
+    counts.steps += m_parts.put_in(m_numbers, slot, position, any_vertex(), put);
+    counts.in_parts = m_order.size() - m_numbers.size();
+    const auto is_left = [&](Index i) { return i < waiting; };
+    counts.relocated +=
+        waiting - std::size_t(std::count_if(m_numbers.begin(), m_numbers.end(), is_left));
+    const auto is_full = [this](const Slot& s) { return !m_state.arrays().is_outside(s.vertex); };
+    m_empty.erase(std::remove_if(m_empty.begin(), m_empty.end(), is_full), m_empty.end());
+  }
+
+  // Provides the last of the empty slots with vertices at the new points, in the order of the
+  // curve; makes as many slots as are missing. Returns the number of the first of these slots.
+  std::size_t reserve_slots_for_coming(std::size_t first_coming)
+  {
+    const std::size_t coming = m_coming_points.size();
+    const std::size_t first = m_empty.size() - (std::min)(m_empty.size(), coming);
+    reserve_for_slots(coming);
+    std::vector<Index> numbers; // of the new points
+    numbers.reserve(coming);
+    for (std::size_t k = 0; k < m_order.size(); ++k)
+      if (m_order[k] >= first_coming)
+        numbers.push_back(Index(m_order[k] - first_coming));
+    const auto point = [&](std::size_t k) -> const Point& { return m_coming_points[numbers[k]]; };
+    const std::size_t renewed = m_empty.size() - first;
+    for (std::size_t k = 0; k < renewed; ++k)
+      m_editor.renew_vertex(m_empty[first + k], point(k));
+    m_editor.make_slots(
+        coming - renewed, [&](std::size_t k) -> const Point& { return point(renewed + k); },
+        m_empty);
+    return first;
   }
 
   // A finite vertex that is in some face.
@@ -359,7 +441,7 @@ private:
     Vertex_index nearby = v;
     m_state.arrays().for_each_neighbor(
         v, [&](Vertex_index w) { nearby = w == infinite_index ? nearby : w; });
-    const std::size_t spread = 4 * m_state.number_of_vertices() / m_order.size();
+    const std::size_t spread = 4 * m_state.number_of_vertices() / m_numbers.size();
     return {nearby, Index(spread)};
   }
 
@@ -443,8 +525,9 @@ private:
   Slot take_slot(const Point& p)
   {
     if (m_empty.empty()) {
-      reserve_for_slot();
-      m_empty.push_back(m_editor.make_slot(p));
+      reserve_for_slots(1);
+      m_editor.make_slots(
+          1, [&](std::size_t) -> const Point& { return p; }, m_empty);
     } else
       m_editor.renew_vertex(m_empty.back(), p);
     return m_empty.back();
@@ -460,7 +543,9 @@ private:
   const State& m_state;
   Editor& m_editor;
   Vertex_order_2<State> m_meeting_order;
+  Relocation_parts_2<State> m_parts;
   Spatial_order_2 m_order;
+  std::vector<Index> m_numbers; // of the positions to put in, in this order
   std::vector<Position_2> m_positions;
   Star_polygon_2<State> m_polygon;  // around the vertex that goes or comes
   std::size_t m_replaced = 0;       // faces that the last vertex has replaced

@@ -233,8 +233,8 @@ public:
 
   // SHIFTS OF CORNERS ---------------------------------------------------------------------------
 
-  void reserve_for_slot() { reserve_extra(shifts(), 6); }
-  void append_slot() { shifts().resize(shifts().size() + 6, no_shift); }
+  void reserve_for_slots(std::size_t number) { reserve_extra(shifts(), 6 * number); }
+  void append_slots(std::size_t number) { shifts().resize(shifts().size() + 6 * number, no_shift); }
   void resize_data(std::size_t, std::size_t faces) { shifts().resize(3 * faces, no_shift); }
   static void renew_vertex(Vertex_index) {}
   static void move_last_vertex_data_to(Vertex_index) {}

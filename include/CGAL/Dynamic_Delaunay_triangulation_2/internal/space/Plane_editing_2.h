@@ -19,7 +19,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // What `Topology_editor_2` does in the plane alone: user data follow the numbers of vertices and
 // faces, and the user's visitor is told of each change at once. The builder tells the visitor
 // through it, too. No changes are kept to be told later, so no memory is reserved for that. Only
-// finish_visit(), reserve_for_slot() and renew_vertex() can throw.
+// finish_visit(), reserve_for_slots() and renew_vertex() can throw.
 template <class State>
 class Plane_editing_2
 {
@@ -122,16 +122,15 @@ public:
 
   // DATA OF USERS -------------------------------------------------------------------------------
 
-  // Makes the data of a vertex and two faces. Then append_slot() throws nothing.
-  void reserve_for_slot()
+  // Makes the data of a vertex and two faces for each slot. Then append_slots() throws nothing.
+  void reserve_for_slots(std::size_t number)
   {
-    m_writer.storage().reserve_data(m_arrays.number_of_vertices() + std::size_t(1),
-                                    m_arrays.number_of_faces() + std::size_t(2));
+    m_writer.storage().reserve_data(m_arrays.number_of_vertices() + number,
+                                    m_arrays.number_of_faces() + 2 * number);
   }
-  void append_slot()
+  void append_slots(std::size_t number)
   {
-    resize_data(m_arrays.number_of_vertices() + std::size_t(1),
-                m_arrays.number_of_faces() + std::size_t(2));
+    resize_data(m_arrays.number_of_vertices() + number, m_arrays.number_of_faces() + 2 * number);
   }
   void resize_data(std::size_t vertices, std::size_t faces)
   {

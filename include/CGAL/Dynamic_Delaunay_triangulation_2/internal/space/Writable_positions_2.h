@@ -8,9 +8,11 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Parallel_parts.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Positions_2.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -207,24 +209,23 @@ public:
 
   // IN STEP WITH THE VERTICES -------------------------------------------------------------------
 
-  // After this, append() throws only what copying a point throws.
-  void reserve_for_vertex()
-  {
-    reserve_extra(m_points, 1);
-    if constexpr (!points_are_two_doubles)
-      reserve_extra(m_positions, 1);
-    if (m_is_frame)
-      reserve_extra(m_other_points, 1);
-  }
-
   void append(const Point& p)
   {
-    const Position_2 position = approximation(p);
-    m_points.push_back(Arrays::stored(position, p));
+    append<Parallel_parts<Sequential_tag>>(1, [&](std::size_t) -> const Point& { return p; });
+  }
+  // Appends so many vertices, the i-th at point(i). Threads share the calls. If it throws, some may
+  // have been appended.
+  template <class Parts, class Point_of>
+  void append(std::size_t number, const Point_of& point)
+  {
+    const std::size_t first = m_points.size();
+    m_points.resize(first + number);
     if constexpr (!points_are_two_doubles)
-      m_positions.push_back(position);
+      m_positions.resize(first + number);
+    Parts::for_each_element(number, [&](std::size_t i) { set(Vertex_index(first + i), point(i)); });
     if (m_is_frame)
-      m_other_points.push_back(m_points.back());
+      m_other_points.insert(m_other_points.end(), m_points.begin() + std::ptrdiff_t(first),
+                            m_points.end());
   }
 
   // Drops what was appended beyond this number.
@@ -237,15 +238,12 @@ public:
       m_other_points.resize(number);
   }
 
-  void move_last_to(Vertex_index v)
+  // Puts vertex `to` where `from` is.
+  void copy(Vertex_index from, Vertex_index to)
   {
-    forget_previous();
-    m_points[v] = m_points.back();
-    m_points.pop_back();
-    if constexpr (!points_are_two_doubles) {
-      m_positions[v] = m_positions.back();
-      m_positions.pop_back();
-    }
+    m_points[to] = m_points[from];
+    if constexpr (!points_are_two_doubles)
+      m_positions[to] = m_positions[from];
   }
 
   // Copies what is kept between calls, except for the points in the data structure's array.

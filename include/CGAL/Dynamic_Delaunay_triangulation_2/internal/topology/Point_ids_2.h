@@ -54,6 +54,9 @@ public:
     return !is_in_ring(id) || m_covered[number_in_ring(id)].id != id;
   }
 
+  // Whether the point of an id, which must be taken, is the only one of its vertex.
+  bool is_alone(Point_id id) const { return !is_in_ring(id); }
+
   // Covered points have numbers, which change when others come or go.
   Index covered_number(Point_id id) const { return number_in_ring(id); }
   Point_id covered_id(Index number) const { return m_covered[number].id; }
@@ -116,6 +119,11 @@ public:
   void list_next_ids(std::size_t number, std::vector<Point_id>& ids) const
   {
     ids.clear();
+    if (are_many(number)) {
+      ids = m_free_ids;
+      make_distinct(ids);
+      ids.resize((std::min)(number, ids.size()));
+    }
     const auto comes_later = [this](std::size_t i, std::size_t j) {
       return m_free_ids[i] > m_free_ids[j];
     };
@@ -130,7 +138,7 @@ public:
     ids.reserve(number);
     if (number == 1 && !m_free_ids.empty()) // most calls insert a single point
       ids.push_back(m_free_ids.front());
-    else
+    else if (ids.empty())
       consider(0);
     while (ids.size() < number && !places.empty()) {
       std::pop_heap(places.begin(), places.end(), comes_later);
@@ -210,8 +218,16 @@ public:
   {
     reserve_extra(m_free_ids, next_ids.size());
     reserve_extra(m_vertex_or_ring, next_ids.size());
-    for (const Point_id id : next_ids)
-      if (id == number_of_ids()) {
+    auto next = next_ids.begin();
+    if (are_many(next_ids.size())) { // they are the smallest, and ascending numbers are a heap
+      const std::size_t reused = (std::min)(next_ids.size(), m_free_ids.size());
+      make_distinct(m_free_ids);
+      CGAL_precondition(std::equal(next, next + std::ptrdiff_t(reused), m_free_ids.begin()));
+      m_free_ids.erase(m_free_ids.begin(), m_free_ids.begin() + std::ptrdiff_t(reused));
+      next += std::ptrdiff_t(reused);
+    }
+    for (; next != next_ids.end(); ++next)
+      if (const Point_id id = *next; id == number_of_ids()) {
         m_vertex_or_ring.push_back(null_index);
       } else {
         CGAL_precondition(id == m_free_ids.front());
@@ -227,9 +243,9 @@ public:
     std::push_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
   }
 
-  // Reserve memory for one more vertex, for more covered points, or for more free ids. Then nothing
+  // Reserve memory for more vertices, for more covered points, or for more free ids. Then nothing
   // below throws.
-  void reserve_for_vertex() { reserve_extra(m_representative, 1); }
+  void reserve_for_vertices(std::size_t number) { reserve_extra(m_representative, number); }
   void reserve_for_covered(std::size_t number)
   {
     reserve_extra(m_covered, number);
@@ -259,15 +275,22 @@ public:
   void remove_covered(Point_id id)
   {
     leave(id);
-    free(id);
+    m_vertex_or_ring[id] = null_index;
+    release(id);
   }
 
   // Removes a representative that covers none and frees its id. Its vertex then has none.
   void remove_representative(Point_id id)
   {
+    vacate(id);
+    release(id);
+  }
+  // Does so, but leaves it to the caller to release the id. Threads may do this at the same time.
+  void vacate(Point_id id)
+  {
     CGAL_precondition(!is_in_ring(id));
     m_representative[vertex(id)] = null_index;
-    free(id);
+    m_vertex_or_ring[id] = null_index;
   }
 
   // Makes a covered point the representative of its vertex, and covers the representative, whose
@@ -293,19 +316,16 @@ public:
     m_representative[other] = null_index;
   }
 
-  // Moves the points of the last vertex to `vertex`, which must have none, and drops the last one.
-  void move_last_vertex_to(Vertex_index vertex)
+  // Moves the points of a vertex to another one, which must have none. Threads may do this with
+  // different vertices at the same time.
+  void move_points(Vertex_index from, Vertex_index to)
   {
-    const Vertex_index last(number_of_representatives());
-    CGAL_precondition(!has_representative(vertex));
-    if (vertex != last) {
-      const Point_id id = m_representative[last];
-      for_each_in_ring(last, [&](Index i) { m_covered[i].vertex = vertex; });
-      m_representative[vertex] = id;
-      if (!is_in_ring(id))
-        m_vertex_or_ring[id] = vertex;
-    }
-    m_representative.pop_back();
+    CGAL_precondition(!has_representative(to));
+    const Point_id id = m_representative[from];
+    for_each_in_ring(from, [&](Index i) { m_covered[i].vertex = to; });
+    m_representative[to] = id;
+    if (!is_in_ring(id))
+      m_vertex_or_ring[id] = to;
   }
 
 private:
@@ -315,6 +335,13 @@ private:
     Vertex_index vertex;
     Index next, previous; // in the ring of those at the vertex
   };
+
+  // Whether so many of the free ids are many, so that all are sorted.
+  bool are_many(std::size_t number) const
+  {
+    constexpr std::size_t few = 16, part = 16;
+    return number > few && number >= m_free_ids.size() / part;
+  }
 
   // THE RING OF A VERTEX --------------------------------------------------------------------------
 
@@ -384,12 +411,6 @@ private:
     }
     m_covered.pop_back();
     m_covered_points.pop_back();
-  }
-
-  void free(Point_id id)
-  {
-    m_vertex_or_ring[id] = null_index;
-    release(id);
   }
 
   static constexpr Index first_in_ring = Index(1) << 31;

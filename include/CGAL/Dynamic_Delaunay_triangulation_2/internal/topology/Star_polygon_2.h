@@ -21,6 +21,12 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
+// Vertices that may get other faces: all of them. A thread may have a part of them.
+struct All_vertices_2
+{
+  bool operator()(Vertex_index) const { return true; }
+};
+
 // The polygon of the neighbors of a vertex, its *center*. When the center is taken out, the faces
 // of a triangulation of the polygon replace those around the center. The triangulation is a
 // sequence of *ears*, triangles of three consecutive corners that are cut off one after the other.
@@ -86,7 +92,8 @@ public:
 
   // Finds the polygon to put v in so that everything stays Delaunay, as it must be before. v is in
   // no face; its point is strictly inside of the finite face f, whose chart as seen from v is
-  // `chart`. Returns false if the polygon would have more than `most` faces, or meets itself.
+  // `chart`. Returns false if the polygon would have more than `most` faces, meets itself, or has a
+  // corner that is not free: `is_free(w)` is asked before anything around w is read, but for faces.
   //
   // It consists of the faces that flips would remove, if v divided f in three (C. Lawson 1977;
   // Guibas and Stolfi 1985): only edges opposite to v can be illegal, and such an edge is illegal
@@ -101,8 +108,9 @@ public:
   // On a torus all images of v are put in. If the polygon does not meet itself, the polygons of
   // different images have no face and no side in common. So the face beyond each side stays, v is
   // not inside of its circle, and all edges are locally Delaunay.
+  template <class Is_free = All_vertices_2>
   bool find_as_delaunay(const State& state, Face_index f, const Chart& chart, Vertex_index v,
-                        std::size_t most)
+                        std::size_t most, const Is_free& is_free = Is_free())
   {
     const Arrays& arrays = state.arrays();
     const Predicates predicates(state);
@@ -114,6 +122,9 @@ public:
                  state.site_in(Arrays::previous(outer), beyond), center) == ON_POSITIVE_SIDE;
     };
     clear(v);
+    for (const Vertex_index w : arrays.face(f))
+      if (!is_free(w))
+        return false;
     m_faces.push_back(f);
     m_open.clear();
     for (const Halfedge_index h :
@@ -132,6 +143,8 @@ public:
       const Chart beyond = state.chart_beyond(open.halfedge, open.chart);
       m_open.pop_back();
       if (is_in_circle(outer, beyond)) {
+        if (!is_free(arrays.apex(outer)))
+          return false;
         m_faces.push_back(Arrays::face_of(outer));
         m_edges.push_back(arrays.edge_of(outer));
         m_open.push_back({Arrays::previous(outer), beyond});

@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <new>
 #include <vector>
 
@@ -76,6 +75,16 @@ class Topology_editor_2
   using Point = typename State::Point;
   using Chart = typename State::Chart;
   using Polygon = Star_polygon_2<State>;
+
+  // The changes in a part: the new edges, vertices that were put in again, ids that are no longer
+  // used, and what the visitor has to be told.
+  struct Changes_of_part
+  {
+    std::vector<Edge_index> edges;
+    std::vector<Vertex_index> relocated;
+    std::vector<Point_id> gone;
+    typename Editing::Log log;
+  };
 
 public:
   using Slot = Halfedge_arrays_2::Slot;
@@ -164,29 +173,13 @@ public:
   void flip_in_parts(const Topology_parts_2& topology, bool no_edge_doubles, std::size_t most,
                      const Function& f)
   {
-    const std::size_t parts = topology.number();
-    m_flips_of_parts.resize((std::max)(parts, m_flips_of_parts.size()));
     m_editing.reserve(2 * most);
-    const auto flip_part = [&](std::size_t part) {
-      Flips_of_part& flips = m_flips_of_parts[part];
-      f(part,
-        [&](Halfedge_index h) { return try_flip(topology, part, no_edge_doubles, h, flips); });
-    };
-    const auto log = [&] {
-      for (std::size_t part = 0; part < parts; ++part)
-        log_flips(m_flips_of_parts[part]);
-    };
-    try {
-      if constexpr (Editing::tells_at_once)
-        for (std::size_t part = 0; part < parts; ++part)
-          flip_part(part);
-      else
-        State::Parts::run(parts, flip_part);
-    } catch (...) {
-      log();
-      throw;
-    }
-    log();
+    run_in_parts(topology.number(), Editing::tells_at_once,
+                 [&](std::size_t part, Changes_of_part& changes) {
+                   f(part, [&](Halfedge_index h) {
+                     return try_flip(topology, part, no_edge_doubles, h, changes);
+                   });
+                 });
   }
 
   // Replaces `old_faces` by the faces of `patch`. Both have equal numbers of faces and equal
@@ -324,37 +317,94 @@ public:
   // nothing after reserve_for_new_edges() for as many edges. `Star_polygon_2` has the picture.
   void put_in(const Slot& slot, const Polygon& polygon)
   {
-    CGAL_precondition(polygon.has_star() && polygon.center() == slot.vertex);
-    m_editing.reserve(2 * polygon.edges().size());
-    for (std::size_t i = 0; i + slot.faces.size() < polygon.faces().size(); ++i)
-      m_editing.before_face(polygon.faces()[i]);
-    for (std::size_t i = 0; i + slot.edges.size() < polygon.edges().size(); ++i)
-      m_editing.before_edge(polygon.edges()[i]);
-    m_star_writer.write_star(polygon, corner_setter());
-    m_changes.new_edges.insert(m_changes.new_edges.end(), polygon.edges().begin(),
-                               polygon.edges().end());
-    for (const Edge_index e : polygon.edges())
-      m_editing.after_edge(e);
-    for (const Face_index f : polygon.faces())
-      m_editing.after_face(f);
+    put_in(slot, polygon, m_changes.new_edges);
   }
 
-  // Makes a slot with the next numbers and a vertex at p without representative. If it throws,
-  // nothing has changed.
-  Slot make_slot(const Point& p)
+  // What a thread can do to the vertices of its part, if the whole polygon belongs to the part.
+  class Edit_of_part
   {
-    m_arrays.reserve_for_slot();
-    m_ids.reserve_for_vertex();
-    m_positions.reserve_for_vertex();
-    m_editing.reserve_for_slot();
-    append_vertex(p);
-    const Slot slot = m_arrays.append_slot();
-    m_ids.append_vertex();
+  public:
+    Slot take_out(const Polygon& polygon)
+    {
+      return m_editor.take_out(polygon, m_writer, m_changes.edges, [&] {
+        m_editor.m_editing.before_vertex_relocation(polygon.center());
+      });
+    }
+
+    // Removes the center's only point, whose id must stay unused until the parts end.
+    Slot remove(const Polygon& polygon)
+    {
+      reserve_extra(m_changes.gone, 1);
+      return m_editor.take_out(polygon, m_writer, m_changes.edges, [&] {
+        const Vertex_index v = polygon.center();
+        const Point_id id = m_editor.m_ids.representative(v);
+        m_editor.m_editing.before_vertex_removal(v);
+        m_editor.m_ids.vacate(id);
+        m_changes.gone.push_back(id);
+      });
+    }
+
+    void put_in_new(const Slot& slot, const Polygon& polygon, Point_id id)
+    {
+      m_editor.reserve_for_star(polygon, m_changes.edges);
+      m_editor.m_ids.place_representative(id, slot.vertex);
+      m_editor.m_editing.after_vertex_creation(slot.vertex);
+      m_editor.put_in(slot, polygon, m_changes.edges);
+    }
+
+    void put_in_again(const Slot& slot, const Polygon& polygon)
+    {
+      m_editor.reserve_for_star(polygon, m_changes.edges);
+      reserve_extra(m_changes.relocated, 1);
+      m_editor.put_in(slot, polygon, m_changes.edges);
+      m_changes.relocated.push_back(slot.vertex);
+    }
+
+  private:
+    friend Topology_editor_2;
+    Edit_of_part(Topology_editor_2& editor, Changes_of_part& changes)
+      : m_editor(editor)
+      , m_changes(changes)
+      , m_writer(editor.m_arrays)
+    {
+    }
+
+    Topology_editor_2& m_editor;
+    Changes_of_part& m_changes;
+    Star_writer_2<State> m_writer;
+  };
+
+  // Calls f(part, edit) for all parts, which threads share; `most` vertices come or go. If a
+  // visitor is heard, there are no threads, and one part follows the other. The result depends on
+  // the parts alone.
+  template <class Function>
+  void edit_in_parts(std::size_t parts, std::size_t most, const Function& f)
+  {
+    reserve_extra(m_changes.relocated, most);
+    run_in_parts(parts, State::Visitor_calls::is_heard,
+                 [&](std::size_t part, Changes_of_part& changes) {
+                   Edit_of_part edit(*this, changes);
+                   f(part, edit);
+                 });
+  }
+
+  // Makes slots with the next numbers and vertices without representatives, the i-th at point(i).
+  // Appends them to `slots`, which must have the memory. If it throws, nothing has changed.
+  template <class Point_of>
+  void make_slots(std::size_t number, const Point_of& point, std::vector<Slot>& slots)
+  {
+    m_arrays.reserve_for_slots(number);
+    m_ids.reserve_for_vertices(number);
+    m_editing.reserve_for_slots(number);
+    append_vertices(number, point);
     auto& renumberings = m_changes.renumberings;
-    renumberings.vertices.note_appended(slot.vertex);
-    renumberings.edges.note_appended(slot.edges[0]);
-    renumberings.faces.note_appended(slot.faces[0]);
-    return slot;
+    renumberings.vertices.note_appended(Vertex_index(m_arrays.number_of_vertices()));
+    renumberings.edges.note_appended(Edge_index(m_arrays.number_of_edges()));
+    renumberings.faces.note_appended(Face_index(m_arrays.number_of_faces()));
+    for (std::size_t i = 0; i < number; ++i) {
+      slots.push_back(m_arrays.append_slot());
+      m_ids.append_vertex();
+    }
   }
 
   // Replaces the slot's vertex, which has no representative, by a fresh one at p. If it throws,
@@ -371,20 +421,14 @@ public:
   // and faces take the free numbers. No other slots may exist. If it throws, nothing has changed.
   void drop(const std::vector<Slot>& empty_slots)
   {
-    collect_numbers(empty_slots);
-    const std::size_t kept_edges = m_arrays.number_of_edges() - m_empty_edges.size();
-    m_number_of_edge.assign(m_empty_edges.size(), null_index); // of the edges from `kept_edges` on
+    collect_numbers(empty_slots, [](auto& numbers) { make_distinct(numbers); });
     m_changes.renumberings.reserve_for_removals(empty_slots.size());
-    const auto note = [&](Edge_index from, Edge_index to) {
-      m_number_of_edge[from - kept_edges] = to;
-    };
-    drop_collected(note); // nothing throws from here on
+    drop_collected(); // nothing throws from here on
     auto& new_edges = m_changes.new_edges;
     if (m_changes.everything_is_new) // some of these numbers can no longer be traced
       return new_edges.clear();
     for (Edge_index& e : new_edges)
-      while (e != null_index && e >= kept_edges)
-        e = m_number_of_edge[e - kept_edges];
+      e = m_edges_to(e);
     new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), null_index), new_edges.end());
   }
 
@@ -392,8 +436,8 @@ public:
   void drop_in_need(const std::vector<Slot>& empty_slots)
   {
     m_changes.everything_is_new = true;
-    collect_numbers(empty_slots);
-    drop_collected([](Edge_index, Edge_index) {});
+    collect_numbers(empty_slots, [](auto& numbers) { std::sort(numbers.begin(), numbers.end()); });
+    drop_collected();
   }
 
   // Reserves memory to put so many vertices into faces, or to drop their slots, after memory has
@@ -404,6 +448,9 @@ public:
     m_empty_vertices.reserve(number);
     m_empty_faces.reserve(2 * number);
     m_empty_edges.reserve(3 * number);
+    m_vertices_to.reserve(number);
+    m_faces_to.reserve(2 * number);
+    m_edges_to.reserve(3 * number);
   }
 
   // IDS AND POINTS ------------------------------------------------------------------------------
@@ -543,13 +590,14 @@ private:
 
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
 
-  // Appends the data of a slot, with a vertex at p. If it throws, nothing has changed.
-  void append_vertex(const Point& p)
+  // Appends the data of slots. If it throws, nothing has changed.
+  template <class Point_of>
+  void append_vertices(std::size_t number, const Point_of& point)
   {
     const std::size_t vertices = m_arrays.number_of_vertices(), faces = m_arrays.number_of_faces();
     try {
-      m_positions.append(p);
-      m_editing.append_slot();
+      m_positions.template append<typename State::Parts>(number, point);
+      m_editing.append_slots(number);
     } catch (...) {
       m_positions.resize(vertices);
       m_editing.resize_data(vertices, faces);
@@ -562,25 +610,53 @@ private:
     return [this](Halfedge_index h, const typename State::Site& c) { m_editing.set_corner(h, c); };
   }
 
+  void reserve_for_star(const Polygon& polygon, std::vector<Edge_index>& new_edges)
+  {
+    reserve_extra(new_edges, polygon.edges().size());
+    m_editing.reserve(2 * polygon.edges().size());
+  }
+
+  void put_in(const Slot& slot, const Polygon& polygon, std::vector<Edge_index>& new_edges)
+  {
+    CGAL_precondition(polygon.has_star() && polygon.center() == slot.vertex);
+    m_editing.reserve(2 * polygon.edges().size());
+    for (std::size_t i = 0; i + slot.faces.size() < polygon.faces().size(); ++i)
+      m_editing.before_face(polygon.faces()[i]);
+    for (std::size_t i = 0; i + slot.edges.size() < polygon.edges().size(); ++i)
+      m_editing.before_edge(polygon.edges()[i]);
+    m_star_writer.write_star(polygon, corner_setter());
+    new_edges.insert(new_edges.end(), polygon.edges().begin(), polygon.edges().end());
+    for (const Edge_index e : polygon.edges())
+      m_editing.after_edge(e);
+    for (const Face_index f : polygon.faces())
+      m_editing.after_face(f);
+  }
+
+  template <class Vacate>
+  Slot take_out(const Polygon& polygon, const Vacate& vacate)
+  {
+    return take_out(polygon, m_star_writer, m_changes.new_edges, vacate);
+  }
+
   // Calls `vacate()`, which must not throw, after the visitor was told of the faces around the
   // center, and before the center is taken out of them.
   template <class Vacate>
-  Slot take_out(const Polygon& polygon, const Vacate& vacate)
+  Slot take_out(const Polygon& polygon, Star_writer_2<State>& writer,
+                std::vector<Edge_index>& new_edges, const Vacate& vacate)
   {
     CGAL_precondition(!m_arrays.is_outside(polygon.center()));
     CGAL_precondition(polygon.is_triangulated());
     const std::size_t degree = polygon.sides().size();
-    reserve_extra(m_changes.new_edges, degree);
+    reserve_extra(new_edges, degree);
     m_editing.reserve(2 * degree);
-    m_star_writer.reserve(polygon); // nothing throws from here on
+    writer.reserve(polygon); // nothing throws from here on
     for (const Face_index f : polygon.faces())
       m_editing.before_face(f);
     for (const Edge_index e : polygon.edges())
       m_editing.before_edge(e);
     vacate();
-    const Slot slot = m_star_writer.write_ears(polygon, corner_setter());
-    m_star_writer.for_each_edge_of_ears(polygon,
-                                        [this](Edge_index e) { m_changes.new_edges.push_back(e); });
+    const Slot slot = writer.write_ears(polygon, corner_setter());
+    writer.for_each_edge_of_ears(polygon, [&](Edge_index e) { new_edges.push_back(e); });
     for (std::size_t i = 0; i + 3 < degree; ++i)
       m_editing.after_edge(polygon.edges()[i]);
     for (std::size_t i = 0; i + 2 < degree; ++i)
@@ -588,9 +664,9 @@ private:
     return slot;
   }
 
-  // Collects the numbers of these slots in descending order. In this order, the last element is
-  // never empty, unless it is the one to remove.
-  void collect_numbers(const std::vector<Slot>& empty_slots)
+  // Collects the numbers of these slots, sorts them, and finds who takes them.
+  template <class Sort>
+  void collect_numbers(const std::vector<Slot>& empty_slots, const Sort& sort)
   {
     m_empty_vertices.clear();
     m_empty_faces.clear();
@@ -602,42 +678,52 @@ private:
       for (const Edge_index e : slot.edges)
         m_empty_edges.push_back(e);
     }
-    const auto sort = [](auto& numbers) {
-      std::sort(numbers.begin(), numbers.end(), std::greater<Index>());
-    };
     sort(m_empty_vertices);
     sort(m_empty_faces);
     sort(m_empty_edges);
+    m_vertices_to.assign(m_arrays.number_of_vertices(), m_empty_vertices);
+    m_faces_to.assign(m_arrays.number_of_faces(), m_empty_faces);
+    m_edges_to.assign(m_arrays.number_of_edges(), m_empty_edges);
   }
 
-  // Removes the collected elements. Calls `note(from, to)` when edge `from` takes the number `to`.
-  template <class Note>
-  void drop_collected(const Note& note)
+  // Gives the collected numbers to the last elements: one by one, or if they are many, in passes
+  // over everything.
+  void drop_collected()
   {
     auto& renumberings = m_changes.renumberings;
-    const bool are_noted = !m_changes.everything_is_new;
-    for (const Face_index f : m_empty_faces) {
-      if (are_noted)
-        renumberings.faces.note_move(Face_index(m_arrays.number_of_faces() - 1), f);
-      m_arrays.move_last_face_to(f);
-      m_editing.move_last_face_data_to(f);
+    if (!m_changes.everything_is_new) {
+      m_faces_to.for_each_from_last(
+          [&](Face_index last, Face_index to) { renumberings.faces.note_move(last, to); });
+      m_edges_to.for_each_from_last(
+          [&](Edge_index last, Edge_index to) { renumberings.edges.note_move(last, to); });
+      m_vertices_to.for_each_from_last(
+          [&](Vertex_index last, Vertex_index to) { renumberings.vertices.note_move(last, to); });
     }
-    for (const Edge_index e : m_empty_edges) {
-      const Edge_index last(m_arrays.number_of_edges() - 1);
-      if (are_noted)
-        renumberings.edges.note_move(last, e);
-      if (last != e)
-        note(last, e);
-      m_arrays.move_last_edge_to(e);
+    constexpr std::size_t many = 128; // one of so many
+    using Parts = typename State::Parts;
+    const std::size_t vertices = m_arrays.number_of_vertices();
+    if (Parts::number(vertices) >= Parts::least_shared &&
+        m_empty_vertices.size() >= vertices / many)
+      m_arrays.template fill<Parts>(m_faces_to, m_edges_to, m_vertices_to);
+    else {
+      m_faces_to.for_each_from_last(
+          [this](Face_index, Face_index to) { m_arrays.move_last_face_to(to); });
+      m_edges_to.for_each_from_last(
+          [this](Edge_index, Edge_index to) { m_arrays.move_last_edge_to(to); });
+      m_vertices_to.for_each_from_last(
+          [this](Vertex_index, Vertex_index to) { m_arrays.move_last_vertex_to(to); });
     }
-    for (const Vertex_index v : m_empty_vertices) {
-      if (are_noted)
-        renumberings.vertices.note_move(Vertex_index(m_state.number_of_vertices()), v);
-      m_arrays.move_last_vertex_to(v);
-      m_ids.move_last_vertex_to(v);
-      m_positions.move_last_to(v);
-      m_editing.move_last_vertex_data_to(v);
-    }
+    m_faces_to.for_each_from_last(
+        [this](Face_index, Face_index to) { m_editing.move_last_face_data_to(to); });
+    m_vertices_to.for_each_from_last(
+        [this](Vertex_index, Vertex_index to) { m_editing.move_last_vertex_data_to(to); });
+    m_vertices_to.template for_each_move<Parts>([this](Vertex_index from, Vertex_index to) {
+      m_ids.move_points(from, to);
+      m_positions.copy(from, to);
+    });
+    m_ids.resize(m_vertices_to.number_kept() - 1);
+    m_positions.forget_previous();
+    m_positions.resize(m_vertices_to.number_kept());
   }
 
   // REPLACING -----------------------------------------------------------------------------------
@@ -651,37 +737,60 @@ private:
           m_inner_edges.push_back(m_arrays.edge_of(h));
   }
 
-  // FLIPS IN PARTS ------------------------------------------------------------------------------
+  // IN PARTS ------------------------------------------------------------------------------------
 
-  // The flips in a part: the new edges, and the changes that the visitor has to be told.
-  struct Flips_of_part
+  // Calls f(part, changes) for all parts, and then logs their changes.
+  template <class Function>
+  void run_in_parts(std::size_t parts, bool is_one_after_other, const Function& f)
   {
-    std::vector<Edge_index> edges;
-    typename Editing::Log log;
-  };
+    m_changes_of_parts.resize((std::max)(parts, m_changes_of_parts.size()));
+    const auto run_part = [&](std::size_t part) { f(part, m_changes_of_parts[part]); };
+    const auto log_all = [&] {
+      for (std::size_t part = 0; part < parts; ++part)
+        log(m_changes_of_parts[part]);
+    };
+    try {
+      if (is_one_after_other)
+        for (std::size_t part = 0; part < parts; ++part)
+          run_part(part);
+      else
+        State::Parts::run(parts, run_part);
+    } catch (...) {
+      log_all();
+      throw;
+    }
+    log_all();
+  }
 
   bool try_flip(const Topology_parts_2& topology, std::size_t part, bool no_edge_doubles,
-                Halfedge_index h, Flips_of_part& flips)
+                Halfedge_index h, Changes_of_part& changes)
   {
     const Edge_index e = m_arrays.edge_of(h);
     if (!topology.is_inside(part, e) || !(no_edge_doubles || can_flip(h)))
       return false;
-    Editing::reserve(flips.log, 2);
-    flips.edges.push_back(e);
-    m_editing.flip(h, flips.log); // throws nothing
+    Editing::reserve(changes.log, 2);
+    changes.edges.push_back(e);
+    m_editing.flip(h, changes.log); // throws nothing
     return true;
   }
 
-  // Logs the flips in a part. If the list of new edges cannot grow, everything counts as new.
-  void log_flips(Flips_of_part& flips)
+  // Logs the changes in a part. If the list of new edges cannot grow, everything counts as new.
+  void log(Changes_of_part& changes)
   {
     try {
-      m_changes.new_edges.insert(m_changes.new_edges.end(), flips.edges.begin(), flips.edges.end());
+      m_changes.new_edges.insert(m_changes.new_edges.end(), changes.edges.begin(),
+                                 changes.edges.end());
     } catch (const std::bad_alloc&) {
       m_changes.everything_is_new = true;
     }
-    m_editing.append(flips.log);
-    flips.edges.clear();
+    m_changes.relocated.insert(m_changes.relocated.end(), changes.relocated.begin(),
+                               changes.relocated.end());
+    for (const Point_id id : changes.gone)
+      m_ids.release(id);
+    m_editing.append(changes.log);
+    changes.edges.clear();
+    changes.relocated.clear();
+    changes.gone.clear();
   }
 
   const State& m_state;
@@ -692,11 +801,13 @@ private:
   Change_log_2& m_changes;
   Star_writer_2<State> m_star_writer;
   std::vector<Edge_index> m_inner_edges;
-  std::vector<Flips_of_part> m_flips_of_parts;
+  std::vector<Changes_of_part> m_changes_of_parts;
   std::vector<Vertex_index> m_empty_vertices; // to be dropped, like the following
   std::vector<Face_index> m_empty_faces;
   std::vector<Edge_index> m_empty_edges;
-  std::vector<Edge_index> m_number_of_edge; // in drop(): new numbers
+  Filled_gaps<Vertex_index> m_vertices_to; // who takes their numbers
+  Filled_gaps<Face_index> m_faces_to;
+  Filled_gaps<Edge_index> m_edges_to;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Renumbering.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 
@@ -276,13 +277,13 @@ public:
     m_edges[e] = Edge_2{infinite_index, infinite_index, infinite_index, infinite_index};
   }
 
-  // Reserves memory for one more slot. Then append_slot() throws nothing.
-  void reserve_for_slot()
+  // Reserves memory for more slots. Then append_slot() throws nothing.
+  void reserve_for_slots(std::size_t number)
   {
-    reserve_extra(m_halfedges, 6);
-    reserve_extra(m_edges, 3);
-    reserve_extra(m_halfedge_of_edge, 3);
-    reserve_extra(m_corner, 1);
+    reserve_extra(m_halfedges, 6 * number);
+    reserve_extra(m_edges, 3 * number);
+    reserve_extra(m_halfedge_of_edge, 3 * number);
+    reserve_extra(m_corner, number);
   }
 
   // Appends a slot with the next numbers.
@@ -366,6 +367,49 @@ public:
       m_corner[v] = m_corner[last];
     }
     m_corner.pop_back();
+  }
+
+  // Does the same for many faces, edges and vertices at once, in passes that threads share.
+  template <class Parts>
+  void fill(const Filled_gaps<Face_index>& faces, const Filled_gaps<Edge_index>& edges,
+            const Filled_gaps<Vertex_index>& vertices)
+  {
+    faces.template for_each_move<Parts>([this](Face_index from, Face_index to) {
+      for (Index i = 0; i < 3; ++i)
+        m_halfedges[halfedge_in(to, i)] = m_halfedges[halfedge_in(from, i)];
+    });
+    edges.template for_each_move<Parts>([this](Edge_index from, Edge_index to) {
+      m_edges[to] = m_edges[from];
+      m_halfedge_of_edge[to] = m_halfedge_of_edge[from];
+    });
+    vertices.template for_each_move<Parts>(
+        [this](Vertex_index from, Vertex_index to) { m_corner[to] = m_corner[from]; });
+    m_halfedges.resize(3 * std::size_t(faces.number_kept()));
+    m_edges.resize(edges.number_kept());
+    m_halfedge_of_edge.resize(edges.number_kept());
+    m_corner.resize(vertices.number_kept());
+    const Halfedge_index first_moved = halfedge_in(Face_index(faces.number_kept()), 0);
+    const auto renumber = [&](Halfedge_index& h) {
+      if (h >= first_moved)
+        h = halfedge_in(faces(face_of(h)), number_in_face(h));
+    };
+    const Index first_vertex = vertices.number_kept(), first_edge = edges.number_kept();
+    Parts::for_each_element(m_halfedges.size(), [&](std::size_t i) {
+      Halfedge& h = m_halfedges[Halfedge_index(i)];
+      if (h.apex >= first_vertex)
+        h.apex = vertices(h.apex);
+      renumber(h.twin);
+      if (h.edge >= first_edge)
+        h.edge = edges(h.edge);
+    });
+    Parts::for_each_element(m_edges.size(), [&](std::size_t i) {
+      Edge_2& e = m_edges[Edge_index(i)];
+      if ((std::max)({e.source, e.target, e.left, e.right}) >= first_vertex)
+        e = {vertices(e.source), vertices(e.target), vertices(e.left), vertices(e.right)};
+      renumber(m_halfedge_of_edge[Edge_index(i)]);
+    });
+    Parts::for_each_element(m_corner.size(),
+                            [&](std::size_t i) { renumber(m_corner[Vertex_index(i)]); });
   }
 
   void empty(const Slot& slot)

@@ -146,8 +146,11 @@ private:
   {
     const State& state = m_context.state;
     Proof& proof = m_context.proof;
+    take_out_many();
     m_context.held.take_out_rest(
         [&](Vertex_index v) {
+          if (state.arrays().is_outside(v))
+            return true;
           m_context.budget.spend(Cost_model_2::removal);
           return proof.empty() && m_context.can_spare(1) &&
                  (m_context.relocation.take_out_of_delaunay(v) || take_out_of_hull(v));
@@ -159,6 +162,15 @@ private:
     if (!proof.empty())
       proof.set_faces(Proof::Faces::UNKNOWN);
     return proof.empty();
+  }
+
+  // If many vertices are still held, takes most of them out, by parts.
+  void take_out_many()
+  {
+    m_context.held.list(m_left);
+    if (m_context.proof.empty() && m_context.can_spare(m_left.size()))
+      m_context.budget.spend(m_context.relocation.take_out_of_delaunay(m_left) *
+                             Cost_model_2::removal);
   }
 
   // Takes out a vertex on the hull, or of high degree, and flips around. Whether the hull turns

@@ -103,6 +103,7 @@ public:
       return !budget.is_spent() && (proof.empty() || State::can_locate_anywhere);
     };
     const auto counts = m_context.relocation.put_in(parted, most_faces, end);
+    budget.spend(counts.in_parts * Cost_model_2::insertion);
     m_context.report().relocated += counts.relocated;
     m_context.report().merged += counts.merged;
     m_context.report().parted += counts.parted;

@@ -78,9 +78,13 @@ public:
   bool hull_turns_once(const State& state) const
   {
     const Change_log_2& changes = state.changes();
-    const auto is_at_hull = [&](Edge_index e) { return state.is_at_infinity(e); };
+    const auto are_inside = [&](std::size_t i, std::size_t beyond) {
+      while (i < beyond && !state.is_at_infinity(changes.new_edges[i]))
+        ++i;
+      return i == beyond;
+    };
     return (m_hull == Hull::AS_BEFORE && !changes.everything_is_new &&
-            std::none_of(changes.new_edges.begin(), changes.new_edges.end(), is_at_hull)) ||
+            State::Parts::all_of(changes.new_edges.size(), are_inside)) ||
            Dynamic_frame_2<State>(state).hull_turns_once();
   }
 
