@@ -3,9 +3,9 @@
 
 // Particles in space that move at random, and the neighbors of one of them.
 
-#include <CGAL/convert_to_delaunay_triangulation_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/convert_to_delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_CONVERT_TO_DELAUNAY_TRIANGULATION_3_H
-#define CGAL_CONVERT_TO_DELAUNAY_TRIANGULATION_3_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_CONVERT_TO_DELAUNAY_TRIANGULATION_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_CONVERT_TO_DELAUNAY_TRIANGULATION_3_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -88,4 +88,4 @@ void convert_to_delaunay_triangulation_3(
 
 } // namespace CGAL
 
-#endif // CGAL_CONVERT_TO_DELAUNAY_TRIANGULATION_3_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_CONVERT_TO_DELAUNAY_TRIANGULATION_3_H
