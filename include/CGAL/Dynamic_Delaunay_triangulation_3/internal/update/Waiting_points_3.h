@@ -225,7 +225,7 @@ private:
   Vertex_index append_vertex(const Pending& pending)
   {
     const Vertex_index v(m_state.positions.number());
-    m_state.ids.reserve_for_vertex();
+    m_state.ids.reserve_for_vertices(1);
     m_state.ids.append_vertex();
     m_state.positions.resize(v + 1);
     m_previous.resize(v + 1);
@@ -287,8 +287,9 @@ private:
         find_star(m_state.arrays, last, m_marks, m_star);
         m_state.arrays.renumber(last, v, m_star);
         m_state.positions.set(v, m_state.positions.place(last));
+        m_state.ids.move_points(last, v);
       }
-      m_state.ids.move_last_vertex_to(v);
+      m_state.ids.resize(last - 1);
       m_state.arrays.pop_vertex();
       m_state.positions.resize(last);
       m_previous.resize(last);
