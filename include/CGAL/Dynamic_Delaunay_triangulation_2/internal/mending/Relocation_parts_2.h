@@ -53,9 +53,9 @@ public:
   }
 
   // Takes vertices out, and keeps in the list those that are left: take_out(edit, polygon) does it
-  // for one. Appends to `slots`, which must have the memory.
+  // for one. Appends to `taken`, which must have the memory.
   template <class Take_out>
-  void take_out(std::vector<Vertex_index>& vertices, std::vector<Slot>& slots,
+  void take_out(std::vector<Vertex_index>& vertices, std::vector<Slot>& taken,
                 const Take_out& take_out)
   {
     const auto position = [this](Vertex_index v) {
@@ -69,11 +69,11 @@ public:
       m_editor.prefetch(mine.polygon);
       if (!mine.polygon.triangulate_as_delaunay(m_state))
         return false;
-      mine.slots.push_back(take_out(edit, mine.polygon));
+      mine.taken.push_back(take_out(edit, mine.polygon));
       return true;
     };
     run(
-        vertices, slots, position, [](const Spatial_parts&) {}, work);
+        vertices, taken, position, [](const Spatial_parts&) {}, work);
   }
 
   // Puts in the vertices of slots, and keeps in the list the numbers of those that are left. `slot`
@@ -126,7 +126,7 @@ private:
   struct Part
   {
     std::vector<Index> places, left; // in the list of those that come or go
-    std::vector<Slot> slots;         // of those that it has taken out
+    std::vector<Slot> taken;         // of those that it has taken out
     Star_polygon_2<State> polygon;
     Vertex_index nearby = null_index; // where the next walk starts
     std::size_t steps = 0;
@@ -141,7 +141,7 @@ private:
   // Calls work(parts, part, edit, element) for all elements of the list, in parts and some rounds.
   // Keeps those for which it returns false. Calls begin(parts) before each round.
   template <class Element, class Position_of, class Begin, class Work>
-  void run(std::vector<Element>& list, std::vector<Slot>& slots, const Position_of& position,
+  void run(std::vector<Element>& list, std::vector<Slot>& taken, const Position_of& position,
            const Begin& begin, const Work& work)
   {
     m_parts.resize((std::max)(number(), m_parts.size()));
@@ -156,14 +156,14 @@ private:
       begin(parts);
       const auto collect = [&] {
         for (Part& part : m_parts) {
-          slots.insert(slots.end(), part.slots.begin(), part.slots.end());
-          part.slots.clear();
+          taken.insert(taken.end(), part.taken.begin(), part.taken.end());
+          part.taken.clear();
         }
       };
       try {
         m_editor.edit_in_parts(number(), list.size(), [&](std::size_t part, Edit& edit) {
           Part& mine = m_parts[part];
-          mine.slots.reserve(mine.places.size());
+          mine.taken.reserve(mine.places.size());
           for (std::size_t i = 0; i < mine.places.size(); ++i) {
             fetch_ahead(list, mine.places, i);
             if (!work(parts, part, edit, list[mine.places[i]]))

@@ -367,20 +367,20 @@ private:
   {
     const std::size_t waiting = m_waiting.size(), first_coming = waiting + parted;
     const auto is_parted = [&](Index i) { return i >= waiting && i < first_coming; };
-    // the last of the empty slots, in the order of the curve
+    // the last of the empty places, in the order of the curve
     const std::size_t empty = reserve_slots_for_coming(first_coming);
     const Slot none{null_index, {null_index, null_index}, {null_index, null_index, null_index}};
-    std::vector<Slot> slots(m_order.size(), none);
+    std::vector<Slot> places(m_order.size(), none);
     for (std::size_t k = 0, next = empty; k < m_order.size(); ++k)
       if (const Index i = m_order[k]; !is_parted(i))
-        slots[i] = i < waiting ? m_waiting[i] : m_empty[next++];
-    const auto slot = [&](Index i) -> const Slot& { return slots[i]; };
+        places[i] = i < waiting ? m_waiting[i] : m_empty[next++];
+    const auto slot = [&](Index i) -> const Slot& { return places[i]; };
     const auto position = [this](Index i) { return m_positions[i]; };
     const auto put = [&](auto& edit, Index i, const Star_polygon_2<State>& polygon) {
       if (i < waiting)
-        edit.put_in_again(slots[i], polygon);
+        edit.put_in_again(places[i], polygon);
       else
-        edit.put_in_new(slots[i], polygon, m_coming_ids[i - first_coming]);
+        edit.put_in_new(places[i], polygon, m_coming_ids[i - first_coming]);
     };
     counts.steps += m_parts.put_in(m_numbers, slot, position, any_vertex(), put);
     counts.in_parts = m_order.size() - m_numbers.size();

@@ -388,10 +388,10 @@ public:
                  });
   }
 
-  // Makes slots with the next numbers and vertices without representatives, the i-th at point(i).
-  // Appends them to `slots`, which must have the memory. If it throws, nothing has changed.
+  // Makes made with the next numbers and vertices without representatives, the i-th at point(i).
+  // Appends them to `made`, which must have the memory. If it throws, nothing has changed.
   template <class Point_of>
-  void make_slots(std::size_t number, const Point_of& point, std::vector<Slot>& slots)
+  void make_slots(std::size_t number, const Point_of& point, std::vector<Slot>& made)
   {
     m_arrays.reserve_for_slots(number);
     m_ids.reserve_for_vertices(number);
@@ -402,7 +402,7 @@ public:
     renumberings.edges.note_appended(Edge_index(m_arrays.number_of_edges()));
     renumberings.faces.note_appended(Face_index(m_arrays.number_of_faces()));
     for (std::size_t i = 0; i < number; ++i) {
-      slots.push_back(m_arrays.append_slot());
+      made.push_back(m_arrays.append_slot());
       m_ids.append_vertex();
     }
   }
