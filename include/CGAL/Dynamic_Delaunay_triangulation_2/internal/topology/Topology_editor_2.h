@@ -388,7 +388,7 @@ public:
                  });
   }
 
-  // Makes made with the next numbers and vertices without representatives, the i-th at point(i).
+  // Makes slots with the next numbers and vertices without representatives, the i-th at point(i).
   // Appends them to `made`, which must have the memory. If it throws, nothing has changed.
   template <class Point_of>
   void make_slots(std::size_t number, const Point_of& point, std::vector<Slot>& made)
