@@ -394,8 +394,8 @@ public:
   template <class Function>
   void for_each_edge(const Function& f) const
   {
-    for (const auto& [v, w] : m_core->state.flat_edges)
-      f(representative_of(v), representative_of(w));
+    for (const auto& edge : m_core->state.flat_edges)
+      f(representative_of(edge[0]), representative_of(edge[1]));
     if (cells() == 0)
       return;
     Star star;
@@ -413,9 +413,10 @@ public:
   {
     check_id(id);
     const Vertex_index u = ids().vertex(Point_id(id));
-    for (const auto& [v, w] : m_core->state.flat_edges)
-      if (u == v || u == w)
-        f(representative_of(u == v ? w : v));
+    for (const auto& edge : m_core->state.flat_edges)
+      for (const int i : {0, 1})
+        if (edge[i] == u)
+          f(representative_of(edge[1 - i]));
     if (cells() == 0)
       return;
     Star star;
@@ -473,12 +474,13 @@ private:
   }
 
   size_type representative_of(Vertex_index v) const { return ids().representative(v); }
-  template <std::size_t n>
-  std::array<size_type, n> ids_of(const std::array<Vertex_index, n>& vertices) const
+  template <int n>
+  auto
+  ids_of(const Dynamic_Delaunay_triangulations_3::internal::Few<Vertex_index, n>& vertices) const
   {
     std::array<size_type, n> result;
-    for (std::size_t i = 0; i < n; ++i)
-      result[i] = representative_of(vertices[i]);
+    std::transform(vertices.begin(), vertices.end(), result.begin(),
+                   [this](Vertex_index v) { return representative_of(v); });
     return result;
   }
   bool is_finite_without(Cell_index c, int place) const
@@ -493,7 +495,7 @@ private:
     std::size_t number = 0;
     for (int i = 0; i < 4; ++i)
       if (i != place)
-        result[number++] = representative_of(m_core->state.arrays.vertices(c)[std::size_t(i)]);
+        result[number++] = representative_of(m_core->state.arrays.vertices(c)[i]);
     return result;
   }
 

@@ -7,18 +7,23 @@
 #include "space_oracle.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/convert_to_delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <list>
 #include <map>
 #include <random>
+#include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -248,16 +253,25 @@ INSTANTIATE_TEST_SUITE_P(far_and_near, Random_programs_in_space,
                                           testing::Values(1e-150, 1e-30, 1e70),
                                           testing::Values(0.0)));
 
-// A few points, all of which change places: the hole of one that is taken out grows over all cells.
-TEST(Random_program_in_space, of_seed_10134_leaves_no_vertex_without_cells)
+// 10134: the hole of a vertex that is taken out grows over all cells. 10417: a frame is rebuilt
+// after vertices have changed their numbers.
+class Found_program_in_space : public testing::TestWithParam<std::tuple<int, double, int>>
 {
-  Program<Dynamic> program(10134, 1, 0.5);
-  program.insert(10134 % 200);
-  for (int i = 0; i < 100; ++i) {
+};
+
+TEST_P(Found_program_in_space, stays_exact)
+{
+  const auto [seed, grid, points] = GetParam();
+  Program<Dynamic> program(std::uint64_t(seed), 1, grid);
+  program.insert(std::size_t(points));
+  for (int i = 0; i < 50; ++i) {
     ASSERT_NO_FATAL_FAILURE(program.do_something());
     ASSERT_NO_FATAL_FAILURE(space_oracle::expect_exact(program.triangulation(), program.points()));
   }
 }
+INSTANTIATE_TEST_SUITE_P(seeds, Found_program_in_space,
+                         testing::Values(std::make_tuple(10134, 0.5, 134),
+                                         std::make_tuple(10417, 0.25, 17)));
 
 TEST(Random_program_in_space, of_an_exact_kernel_stays_exact)
 {
@@ -283,6 +297,109 @@ TEST(Exact_points_in_space, may_move_by_less_than_doubles_tell)
   EXPECT_TRUE(dt.is_valid(true));
   EXPECT_EQ(dt.point(4), points[4]);
   EXPECT_EQ(dt.number_of_cells(), 4u);
+}
+
+// THE FILTER --------------------------------------------------------------------------------------
+
+using Filter = CGAL::Dynamic_Delaunay_triangulations_3::internal::Cell_filter_in_lanes_3<double>;
+using Vector = CGAL::Dynamic_Delaunay_triangulations_3::internal::Points_in_lanes_3<double>;
+
+Vector vector_between(const Point& p, const Point& q)
+{
+  return {q.x() - p.x(), q.y() - p.y(), q.z() - p.z()};
+}
+
+// Five points that are nearly cospherical, the first four nearly coplanar in some trials, at any
+// scale, some of them far from the origin.
+std::array<Point, 5> nearly_degenerate_points(std::mt19937_64& random, bool is_flat)
+{
+  std::uniform_real_distribution<double> share(-1, 1);
+  const double scale = std::ldexp(1.0, int(random() % 700) - 350);
+  const double away = random() % 2 == 0 ? 0 : share(random) * 1e6;
+  const double error = std::ldexp(1.0, -int(random() % 60));
+  std::array<Point, 5> points;
+  for (Point& p : points) {
+    double x = share(random), y = share(random), z = share(random);
+    const double length = std::sqrt(x * x + y * y + z * z);
+    x = x / length + error * share(random);
+    y = y / length + error * share(random);
+    z = is_flat ? error * share(random) : z / length;
+    p = Point(scale * (x + away), scale * (y + away), scale * (z + away));
+  }
+  return points;
+}
+
+TEST(Filter_in_space, claims_nothing_wrong)
+{
+  std::mt19937_64 random(1);
+  const Epick::Orientation_3 orientation{};
+  const Epick::Side_of_oriented_sphere_3 side{};
+  std::size_t proved = 0;
+  for (int trial = 0; trial < 200000; ++trial) {
+    const auto [a, b, c, d, e] = nearly_degenerate_points(random, trial % 2 == 0);
+    const Filter filter(vector_between(a, b), vector_between(a, c), vector_between(a, d));
+    if (!filter.may_be_inverted()) {
+      ++proved;
+      ASSERT_EQ(orientation(a, b, c, d), CGAL::POSITIVE) << "trial " << trial;
+    }
+    if (!filter.may_be_inside(vector_between(a, e))) {
+      ++proved;
+      ASSERT_EQ(side(a, b, c, d, e), CGAL::ON_NEGATIVE_SIDE) << "trial " << trial;
+    }
+    if (const int claim = filter.side_of_sphere(vector_between(a, e)))
+      ASSERT_EQ(side(a, b, c, d, e), claim) << "trial " << trial;
+  }
+  EXPECT_GT(proved, 50000u);
+}
+
+TEST(Filter_in_space, claims_nothing_where_numbers_underflow_or_overflow)
+{
+  for (const double scale : {1e-320, 1e-200, 1e-60, 1e60, 1e150, 1e300}) {
+    const Vector b{scale, 0, 0}, c{0, scale, 0}, d{0, 0, scale}, e{scale, scale, scale};
+    const Filter filter(b, c, d);
+    EXPECT_TRUE(filter.may_be_inverted() || filter.may_be_inside(e)); // e is on the sphere
+    EXPECT_EQ(filter.side_of_sphere(e), 0);
+  }
+}
+
+TEST(Filter_in_space, proves_the_same_in_all_lanes)
+{
+  using namespace CGAL::Dynamic_Delaunay_triangulations_3;
+  for (const std::size_t number : {5u, 6u, 7u, 8u, 500u}) {
+    Points points = random_points(number);
+    internal::Triangulation_state_3<Epick, CGAL::Sequential_tag> state;
+    internal::Update_3<decltype(state)> update(state);
+    internal::Change_3<Point> change;
+    change.coming_points = points;
+    state.ids.list_next_ids(number, change.coming);
+    update.run(change);
+    for (Vertex_index v(1); v <= number; v += 3) { // break something
+      const Position_3 p = state.positions.position(v);
+      state.positions.set(v, internal::Place_3<Point>(Position_3{p.x + 0.05, p.y, p.z}));
+    }
+    internal::Unproved_cells_3 unproved;
+    internal::find_unproved(state, unproved);
+    std::vector<Cell_index> expected;
+    const auto at = [&](Vertex_index v) {
+      const Position_3& p = state.positions.position(v);
+      return Vector{p.x, p.y, p.z};
+    };
+    for (Cell_index c(0); c < state.arrays.number_of_cells(); ++c) {
+      if (state.arrays.is_infinite(c))
+        continue;
+      const internal::Vertices_3& v = state.arrays.vertices(c);
+      const Filter filter(at(v[1]) - at(v[0]), at(v[2]) - at(v[0]), at(v[3]) - at(v[0]));
+      bool is_unproved = filter.may_be_inverted();
+      for (int i = 0; i < 4; ++i)
+        is_unproved =
+            is_unproved ||
+            filter.may_be_inside(at(state.arrays.apex(state.arrays.corner(c, i))) - at(v[0]));
+      if (is_unproved)
+        expected.push_back(c);
+    }
+    std::sort(unproved.finite.begin(), unproved.finite.end());
+    EXPECT_EQ(unproved.finite, expected);
+  }
 }
 
 // IDS AND ERRORS ----------------------------------------------------------------------------------
@@ -356,6 +473,32 @@ TEST(Copies_in_space, go_on_alike)
   EXPECT_EQ(copy.number_of_points(), 0u); // it is empty, and can be used
   copy.insert(points.begin(), points.end());
   ASSERT_NO_FATAL_FAILURE(expect_exact(copy, points));
+}
+
+TEST(Copies_of_CGAL_in_space, have_the_same_cells_and_ids)
+{
+  using Triangulation = space_oracle::Fresh<Epick>;
+  Points points = random_points(200);
+  points.push_back(points[3]); // coincides
+  for (const Points& some : {points, lattice(4), Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}) {
+    const Dynamic dt(some);
+    Triangulation copy;
+    copy.insert(Point(9, 9, 9)); // goes
+    CGAL::convert_to_delaunay_triangulation_3(dt, copy);
+    EXPECT_TRUE(copy.is_valid(false, 1));
+    EXPECT_EQ(copy.number_of_vertices(), dt.number_of_vertices());
+    std::set<space_oracle::Cell> cells;
+    if (copy.dimension() == 3)
+      for (const auto c : copy.finite_cell_handles())
+        cells.insert(space_oracle::sorted(
+            std::array<std::size_t, 4>{c->vertex(0)->info(), c->vertex(1)->info(),
+                                       c->vertex(2)->info(), c->vertex(3)->info()}));
+    EXPECT_EQ(cells, space_oracle::cells_of(dt));
+    for (const auto v : copy.finite_vertex_handles())
+      EXPECT_EQ(v->point(), dt.point(v->info()));
+    copy.insert(Point(0.3, 0.3, 0.3)); // goes on as a triangulation of CGAL
+    EXPECT_TRUE(copy.is_valid());
+  }
 }
 
 // ACCESS ------------------------------------------------------------------------------------------

@@ -197,8 +197,7 @@ private:
     const auto flipped = m_flips.right(c);
     for (int n = 0; n < flipped.number; ++n)
       for (int i = 0; i < 4; ++i)
-        if (const Cell_index other = arrays().neighbor(flipped.cells[std::size_t(n)], i);
-            !is_positive(other))
+        if (const Cell_index other = arrays().neighbor(flipped.cells[n], i); !is_positive(other))
           m_bad.push_back(other);
     return flipped.number > 0;
   }
@@ -206,7 +205,7 @@ private:
   bool may_right(Cell_index c) const
   {
     for (int i = 0; i < 4; ++i)
-      if (!m_may_right[arrays().vertices(c)[std::size_t(i)]] ||
+      if (!m_may_right[arrays().vertices(c)[i]] ||
           !m_may_right[arrays().apex(Arrays::corner(c, i))])
         return false;
     return true;

@@ -126,7 +126,7 @@ public:
       if (i != Arrays::place_of(k) && m_signs.with(v, i, arrays().apex(k)) <= 0)
         for (int j = 0; j < 4; ++j)
           if (j != i && j != Arrays::place_of(k))
-            obstacles.push_back(v[std::size_t(j)]);
+            obstacles.push_back(v[j]);
   }
 
 private:
@@ -174,7 +174,7 @@ private:
   {
     const Cell_index c = Arrays::cell_of(k), other = Arrays::cell_of(arrays().mirror(k));
     const Cell_index third = arrays().neighbor(c, side);
-    const int place = arrays().place_of(other, arrays().vertices(c)[std::size_t(side)]);
+    const int place = arrays().place_of(other, arrays().vertices(c)[side]);
     return arrays().neighbor(other, place) == third ? third : Cell_index(null_index);
   }
 
@@ -204,18 +204,17 @@ private:
     const Cell_index c = Arrays::cell_of(k), other = Arrays::cell_of(arrays().mirror(k));
     const Vertices_3 v = arrays().vertices(c);
     const Vertex_index top = arrays().vertex(k), beyond = arrays().apex(k);
-    const Corner_index behind = arrays().cell(c).mirrors[std::size_t(side)];
+    const Corner_index behind = arrays().cell(c).mirrors[side];
     const Cell_index third = Arrays::cell_of(behind);
     const Vertex_index opposite = arrays().vertex(behind);
-    const Cell_index fourth =
-        arrays().neighbor(other, arrays().place_of(other, v[std::size_t(side)]));
+    const Cell_index fourth = arrays().neighbor(other, arrays().place_of(other, v[side]));
     if (opposite == beyond || arrays().place_of(fourth, opposite) == 4 || third == fourth ||
         arrays().neighbor(third, arrays().place_of(third, top)) != fourth)
       return false;
     const Vertices_3 w = arrays().vertices(third);
     for (int i = 0; i < 4; ++i)
       if (i != Arrays::place_of(k) && i != side &&
-          m_signs.with(w, arrays().place_of(third, v[std::size_t(i)]), beyond) <= 0)
+          m_signs.with(w, arrays().place_of(third, v[i]), beyond) <= 0)
         return false;
     flip_2_3(k);
     // the flat cell lies between the third one and the edge's other side
@@ -232,7 +231,7 @@ private:
     if (found.number == 0 && !has_edge(top, beyond))
       return flip_2_3(k);
     if (found.number == 1 && common_neighbor(k, found.place) != null_index &&
-        !has_facet(arrays().vertices(c)[std::size_t(found.place)], top, beyond))
+        !has_facet(arrays().vertices(c)[found.place], top, beyond))
       return flip_3_2(k, found.place);
     return {{null_index, null_index, null_index}, 0};
   }
@@ -252,11 +251,11 @@ private:
   Flipped flip_3_2(Corner_index k, int side)
   {
     const Vertex_index around[3] = {arrays().vertex(k), arrays().apex(k),
-                                    arrays().vertices(Arrays::cell_of(k))[std::size_t(side)]};
+                                    arrays().vertices(Arrays::cell_of(k))[side]};
     const Flipped flipped = arrays().flip_3_2(k, side);
     for (int i = 0; i < 2; ++i)
       for (const Vertex_index v : around)
-        open(flipped.cells[std::size_t(i)], v);
+        open(flipped.cells[i], v);
     ++m_number;
     return flipped;
   }

@@ -38,19 +38,19 @@ public:
   {
     if (!m_signs.is_positive(v))
       std::swap(v[0], v[1]);
-    std::array<Cell_index, 5> cells;
+    Few<Cell_index, 5> cells;
     for (Cell_index& c : cells)
       c = m_arrays.make_cell();
     m_arrays.set_vertices(cells[4], v);
-    for (std::size_t i = 0; i < 4; ++i) {
+    for (int i = 0; i < 4; ++i) {
       Vertices_3 w = v; // two exchanged, and the infinite vertex in place of one
       std::swap(w[(i + 1) % 4], w[(i + 2) % 4]);
       w[i] = infinite_index;
       m_arrays.set_vertices(cells[i], w);
-      m_arrays.connect(Arrays::corner(cells[4], int(i)), Arrays::corner(cells[i], int(i)));
+      m_arrays.connect(Arrays::corner(cells[4], i), Arrays::corner(cells[i], i));
     }
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = 0; j < i; ++j)
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < i; ++j)
         m_arrays.connect(Arrays::corner(cells[i], m_arrays.place_of(cells[i], v[j])),
                          Arrays::corner(cells[j], m_arrays.place_of(cells[j], v[i])));
     m_last = cells[4];
@@ -142,7 +142,7 @@ private:
     for (const Corner_index k : m_border) {
       const int place = Arrays::place_of(k);
       Vertices_3 vertices = m_arrays.vertices(Arrays::cell_of(k));
-      vertices[std::size_t(place)] = v;
+      vertices[place] = v;
       const Cell_index c = m_arrays.make_cell(); // without mirrors
       m_arrays.set_vertices(c, vertices);
       // also tells the facet of the old cell, which has yet to find its neighbors, its new cell
@@ -170,27 +170,27 @@ private:
     for (int i = 0; i < 4; ++i) {
       if (i == place || m_arrays.mirror(Arrays::corner(cell, i)) != null_index)
         continue; // the latter has found this one
-      const std::array<Vertex_index, 2> edge = edge_without(m_arrays.vertices(old), i, place);
+      const Few<Vertex_index, 2> edge = edge_without(m_arrays.vertices(old), i, place);
       int enters = place;
       Corner_index beyond = m_arrays.mirror(Arrays::corner(old, i));
       while (m_marks.has(Arrays::cell_of(beyond), conflicting)) {
         const Arrays::Cell& c = m_arrays.cell(Arrays::cell_of(beyond));
         enters = Arrays::place_of(beyond);
-        beyond = c.mirrors[std::size_t(6 - enters - Arrays::place_of_known(c, edge[0]) -
-                                       Arrays::place_of_known(c, edge[1]))];
+        beyond = c.mirrors[6 - enters - Arrays::place_of_known(c, edge[0]) -
+                           Arrays::place_of_known(c, edge[1])];
       }
       m_arrays.connect(Arrays::corner(cell, i), Arrays::corner(Arrays::cell_of(beyond), enters));
     }
   }
 
   // The two vertices of a cell at other places than these.
-  static std::array<Vertex_index, 2> edge_without(const Vertices_3& v, int i, int j)
+  static Few<Vertex_index, 2> edge_without(const Vertices_3& v, int i, int j)
   {
-    std::array<Vertex_index, 2> edge;
-    std::size_t number = 0;
+    Few<Vertex_index, 2> edge;
+    int number = 0;
     for (int k = 0; k < 4; ++k)
       if (k != i && k != j)
-        edge[number++] = v[std::size_t(k)];
+        edge[number++] = v[k];
     return edge;
   }
 

@@ -53,7 +53,7 @@ public:
 private:
   static constexpr std::size_t most_cells = 20000;
 
-  using Facet = std::array<Vertex_index, 3>; // ascending
+  using Facet = Few<Vertex_index, 3>; // ascending
 
   struct Border
   {
@@ -69,10 +69,10 @@ private:
   {
     const Vertices_3& v = arrays.vertices(Arrays::cell_of(k));
     Facet facet;
-    std::size_t number = 0;
+    int number = 0;
     for (int i = 0; i < 4; ++i)
       if (i != Arrays::place_of(k))
-        facet[number++] = v[std::size_t(i)];
+        facet[number++] = v[i];
     std::sort(facet.begin(), facet.end());
     return facet;
   }
@@ -145,14 +145,13 @@ private:
   bool are_on_same_side(Corner_index filling, Corner_index hole) const
   {
     const Vertices_3& v = m_filling.vertices(Arrays::cell_of(filling));
-    std::array<int, 4> places;
+    Few<int, 4> places;
     for (int i = 0; i < 4; ++i)
-      places[std::size_t(i)] = i == Arrays::place_of(filling)
-                                   ? Arrays::place_of(hole)
-                                   : arrays().place_of(Arrays::cell_of(hole), v[std::size_t(i)]);
+      places[i] = i == Arrays::place_of(filling) ? Arrays::place_of(hole)
+                                                 : arrays().place_of(Arrays::cell_of(hole), v[i]);
     int inversions = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = i + 1; j < 4; ++j)
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
         inversions += places[i] > places[j];
     return inversions % 2 == 0;
   }

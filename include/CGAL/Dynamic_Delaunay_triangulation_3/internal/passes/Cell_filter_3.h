@@ -147,8 +147,9 @@ struct Cell_filter_in_lanes_3
   BOOST_FORCEINLINE auto may_be_inverted() const
   {
     const Number bound = product(volume_factor, product(size, product(size, size)));
-    return (volume <= Number(0)) | (product(volume, volume) <= bound) |
-           (size <= Number(smallest_square));
+    const auto is_negative = volume <= Number(0), is_uncertain = product(volume, volume) <= bound;
+    const auto is_small = size <= Number(smallest_square);
+    return is_negative | is_uncertain | is_small;
   }
 
   // True unless the vertex at e is proved to be outside of the sphere, given a positive cell, or is
@@ -159,8 +160,10 @@ struct Cell_filter_in_lanes_3
     const Number power = product(volume, ee) - dot(sphere, e), largest = larger(size, ee);
     const Number square = product(largest, largest);
     const Number size_of_power = product(product(square, square), largest);
-    return (power <= Number(0)) | (product(power, power) <= product(power_factor, size_of_power)) |
-           (Number(std::numeric_limits<double>::infinity()) <= size_of_power);
+    const Number bound = product(power_factor, size_of_power);
+    const auto is_negative = power <= Number(0), is_uncertain = product(power, power) <= bound;
+    const auto is_large = Number(std::numeric_limits<double>::infinity()) <= size_of_power;
+    return is_negative | is_uncertain | is_large;
   }
 
   // 1 if e is proved to be inside of the sphere of a positive cell, -1 if outside, else 0. As the

@@ -9,7 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Index_of.h>
 
-#include <array>
+#include <algorithm>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3 {
 
@@ -38,7 +38,30 @@ using Dynamic_Delaunay_triangulations_2::internal::Column;
 using Dynamic_Delaunay_triangulations_2::internal::infinite_index;
 using Dynamic_Delaunay_triangulations_2::internal::null_index;
 
-using Vertices_3 = std::array<Vertex_index, 4>;
+// A few elements, such as the four vertices of a cell, which have places from 0 on.
+template <class T, int number>
+struct Few
+{
+  T elements[number];
+
+  const T& operator[](int place) const { return elements[place]; }
+  T& operator[](int place) { return elements[place]; }
+  const T* begin() const { return elements; }
+  const T* end() const { return elements + number; }
+  T* begin() { return elements; }
+  T* end() { return elements + number; }
+
+  friend bool operator<(const Few& a, const Few& b)
+  {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end());
+  }
+  friend bool operator==(const Few& a, const Few& b)
+  {
+    return std::equal(a.begin(), a.end(), b.begin());
+  }
+};
+
+using Vertices_3 = Few<Vertex_index, 4>;
 
 inline Position_3 operator+(const Position_3& p, const Position_3& v)
 {

@@ -26,16 +26,16 @@ struct Unproved_cells_3
 template <int lanes>
 BOOST_FORCEINLINE void
 append_unproved(const Tetrahedra_arrays_3::Cell* all, const Position_3* positions,
-                const std::array<Cell_index, lanes>& some, std::vector<Cell_index>& unproved)
+                const Few<Cell_index, lanes>& some, std::vector<Cell_index>& unproved)
 {
   const auto corners = [&](int place) CGAL_DYNAMIC_DELAUNAY_INLINE {
     return points_in_lanes<lanes>([&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Position_3& {
-      return positions[all[some[std::size_t(i)]].vertices[std::size_t(place)]];
+      return positions[all[some[i]].vertices[place]];
     });
   };
   const auto beyond = [&](int place) CGAL_DYNAMIC_DELAUNAY_INLINE {
     return points_in_lanes<lanes>([&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Position_3& {
-      const Index k = all[some[std::size_t(i)]].mirrors[std::size_t(place)];
+      const Index k = all[some[i]].mirrors[place];
       return positions[all[k / 4].vertices[k % 4]];
     });
   };
@@ -47,7 +47,7 @@ append_unproved(const Tetrahedra_arrays_3::Cell* all, const Position_3* position
   if (const unsigned answers = Dynamic_Delaunay_triangulations_2::internal::bits(are_unproved))
     for (int i = 0; i < lanes; ++i)
       if (answers >> i & 1)
-        unproved.push_back(some[std::size_t(i)]);
+        unproved.push_back(some[i]);
 }
 
 // Tests the cells from `first` to before `beyond`. Finite ones are collected until all lanes have
@@ -58,12 +58,11 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Tetrahedra_arrays_3& array
                                                 std::size_t beyond, Unproved_cells_3& unproved)
 {
   const Tetrahedra_arrays_3::Cell* const cells = arrays.cells();
-  std::array<Cell_index, lanes> some{};
-  std::size_t collected = 0;
+  Few<Cell_index, lanes> some{};
+  int collected = 0;
   for (Cell_index c(first); c < beyond; ++c) {
     const Vertices_3& v = cells[c].vertices;
-    if ((v[0] == infinite_index) | (v[1] == infinite_index) | (v[2] == infinite_index) |
-        (v[3] == infinite_index)) {
+    if (std::find(v.begin(), v.end(), infinite_index) != v.end()) {
       unproved.infinite.push_back(c);
       continue;
     }
@@ -73,7 +72,7 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Tetrahedra_arrays_3& array
     append_unproved<lanes>(cells, positions, some, unproved.finite);
     collected = 0;
   }
-  for (std::size_t i = 0; i < collected; ++i)
+  for (int i = 0; i < collected; ++i)
     append_unproved<1>(cells, positions, {some[i]}, unproved.finite);
 }
 

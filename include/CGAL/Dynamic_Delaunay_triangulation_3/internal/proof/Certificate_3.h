@@ -76,7 +76,7 @@ private:
   // 1 if the ray meets the facet, 0 if not, -1 if it meets its border.
   int sides_of(Cell_index c, const Point& target) const
   {
-    std::array<Vertex_index, 3> v = hull_facet(m_state.arrays, c);
+    Few<Vertex_index, 3> v = hull_facet(m_state.arrays, c);
     bool is_on_border = false;
     for (int i = 0; i < 3; ++i) {
       const int side = m_signs.orientation_from_origin(m_state.point(v[i]),
@@ -91,7 +91,7 @@ private:
 public:
   // The hull facet of an infinite cell, oriented so that the orientation of a point beneath and the
   // facet is positive.
-  static std::array<Vertex_index, 3> hull_facet(const Tetrahedra_arrays_3& arrays, Cell_index c)
+  static Few<Vertex_index, 3> hull_facet(const Tetrahedra_arrays_3& arrays, Cell_index c)
   {
     const Vertices_3& v = arrays.vertices(c);
     switch (arrays.place_of(c, infinite_index)) {
@@ -172,14 +172,13 @@ private:
   {
     const Tetrahedra_arrays_3& arrays = m_state.arrays;
     const Cell_index c = arrays.cell_of(k), other = arrays.cell_of(arrays.mirror(k));
-    std::array<int, 4> places;
+    Few<int, 4> places;
     for (int i = 0; i < 4; ++i)
-      places[std::size_t(i)] = i == arrays.place_of(k)
-                                   ? arrays.place_of(arrays.mirror(k))
-                                   : arrays.place_of(other, arrays.vertices(c)[std::size_t(i)]);
+      places[i] = i == arrays.place_of(k) ? arrays.place_of(arrays.mirror(k))
+                                          : arrays.place_of(other, arrays.vertices(c)[i]);
     int inversions = 0;
-    for (std::size_t i = 0; i < 4; ++i)
-      for (std::size_t j = i + 1; j < 4; ++j)
+    for (int i = 0; i < 4; ++i)
+      for (int j = i + 1; j < 4; ++j)
         inversions += places[i] > places[j];
     return c != other && *std::max_element(places.begin(), places.end()) < 4 && inversions % 2 == 1;
   }

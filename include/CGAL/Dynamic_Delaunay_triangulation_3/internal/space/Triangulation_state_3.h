@@ -55,8 +55,8 @@ public:
   // Whether there are cells. Else the points are coplanar, and the edges and triangles of a
   // Delaunay triangulation of their plane are in these lists.
   bool spans_space = false;
-  std::vector<std::array<Vertex_index, 2>> flat_edges;
-  std::vector<std::array<Vertex_index, 3>> flat_triangles;
+  std::vector<Few<Vertex_index, 2>> flat_edges;
+  std::vector<Few<Vertex_index, 3>> flat_triangles;
   bool has_origin = false;
   Position_3 origin{0, 0, 0};
 };

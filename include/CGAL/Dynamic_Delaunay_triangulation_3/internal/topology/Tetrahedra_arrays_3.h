@@ -28,7 +28,7 @@ public:
   struct Cell
   {
     Vertices_3 vertices;
-    std::array<Corner_index, 4> mirrors;
+    Few<Corner_index, 4> mirrors;
   };
 
   Index number_of_cells() const { return Index(m_cells.size()); }
@@ -126,7 +126,7 @@ public:
   // Cells that a flip has made.
   struct Flipped
   {
-    std::array<Cell_index, 3> cells;
+    Few<Cell_index, 3> cells;
     int number;
   };
 
@@ -138,12 +138,12 @@ public:
     const int top = place_of(k);
     const Cell a = m_cells[first], b = m_cells[second];
     const Vertex_index beyond = apex(k);
-    std::array<int, 3> around;
+    Few<int, 3> around;
     for (int i = 0, n = 0; i < 4; ++i)
       if (i != top)
         around[n++] = i;
     Flipped flipped{{first, second, make_cell()}, 3};
-    std::array<Corner_index, 3> below;
+    Few<Corner_index, 3> below;
     for (int n = 0; n < 3; ++n)
       below[n] = b.mirrors[place_of_known(b, a.vertices[around[n]])];
     for (int n = 0; n < 3; ++n) {
@@ -174,10 +174,10 @@ public:
       ++p;
     const int q = 6 - top - side - p;
     const Vertex_index end_p = a.vertices[p], end_q = a.vertices[q];
-    const std::array<Corner_index, 3> at_p{a.mirrors[q], b.mirrors[place_of_known(b, end_q)],
-                                           c.mirrors[place_of_known(c, end_q)]};
-    const std::array<Corner_index, 3> at_q{a.mirrors[p], b.mirrors[place_of_known(b, end_p)],
-                                           c.mirrors[place_of_known(c, end_p)]};
+    const Few<Corner_index, 3> at_p{a.mirrors[q], b.mirrors[place_of_known(b, end_q)],
+                                    c.mirrors[place_of_known(c, end_q)]};
+    const Few<Corner_index, 3> at_q{a.mirrors[p], b.mirrors[place_of_known(b, end_p)],
+                                    c.mirrors[place_of_known(c, end_p)]};
     Vertices_3 v = a.vertices, w = a.vertices;
     v[q] = beyond;
     w[p] = beyond;

@@ -210,15 +210,17 @@ private:
           m_flips.open_cell(c);
   }
 
-  // Where flips are stuck, a vertex steps back, and is released again.
+  // Where flips are stuck, a vertex steps back, and is released again. False where that is
+  // hopeless, as after the first motion of an exact lattice.
   bool unstick()
   {
+    const std::size_t most_stuck = few_stuck + m_state.number_of_vertices() / stuck_share;
     for (int round = 0; round < rounds; ++round) {
       for (int step = 0; step < steps; ++step) {
         const std::vector<Corner_index> stuck = m_flips.take_stuck();
         if (stuck.empty())
           break;
-        if (step + 1 == steps || !m_held.retreat(stuck))
+        if (step + 1 == steps || stuck.size() > most_stuck || !m_held.retreat(stuck))
           return false;
       }
       m_held.release();
@@ -240,6 +242,7 @@ private:
       if (!m_waiting.take_out_for_long_way(v, place))
         return false;
     m_report.relocated += left.size();
+    m_held.forget(); // all are where they belong; insertion may give others their numbers
     return true;
   }
 
@@ -264,7 +267,8 @@ private:
   // mean spacings invert a quarter as many cells as there are vertices, and hold a twelfth of them;
   // then both ways take some 4.3 microseconds a point.
   static constexpr std::size_t few_inverted = 16, inverted_share = 4, few_held = 20, held_share = 8;
-  static constexpr int rounds = 4, steps = 1000; // of retreats from stuck facets
+  static constexpr std::size_t few_stuck = 16, stuck_share = 1024; // facets
+  static constexpr int rounds = 4, steps = 100;                    // of retreats from them
 
   State& m_state;
   bool m_is_certified = true;        // no points are triangulated

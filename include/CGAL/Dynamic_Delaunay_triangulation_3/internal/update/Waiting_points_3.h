@@ -189,8 +189,9 @@ private:
   {
     std::vector<Pending> fresh;
     std::vector<Position_3> places;
-    const auto first_new = std::stable_partition(
-        m_pending.begin(), m_pending.end(), [](const Pending& p) { return p.beside != null_index; });
+    const auto first_new =
+        std::stable_partition(m_pending.begin(), m_pending.end(),
+                              [](const Pending& p) { return p.beside != null_index; });
     for (auto p = first_new; p != m_pending.end(); ++p) {
       fresh.push_back(*p);
       places.push_back(p->place.position);
