@@ -246,7 +246,7 @@ private:
 
   Motion motion_of(Vertex_index v)
   {
-    find_star(arrays(), v, m_marks, m_star);
+    find_star(arrays(), v, m_state.marks, m_star);
     Motion motion;
     double number = 0;
     for (const Cell_index c : m_star) // neighbors count once for each common cell
@@ -303,7 +303,7 @@ private:
   void move(Vertex_index v, const Place& place)
   {
     m_state.positions.set(v, place);
-    find_star(arrays(), v, m_marks, m_star);
+    find_star(arrays(), v, m_state.marks, m_star);
     for (const Cell_index c : m_star)
       if (!is_positive(c))
         m_bad.push_back(c);
@@ -326,7 +326,7 @@ private:
           m_may_right[v] = 0;
           if (attempt == 0 || v == infinite_index)
             continue;
-          find_star(arrays(), v, m_marks, m_star);
+          find_star(arrays(), v, m_state.marks, m_star);
           for (const Cell_index other : m_star)
             for (const Vertex_index w : arrays().vertices(other))
               m_may_right[w] = 0;
@@ -356,7 +356,7 @@ private:
   }
   void open_star(Vertex_index v)
   {
-    find_star(arrays(), v, m_marks, m_star);
+    find_star(arrays(), v, m_state.marks, m_star);
     for (const Cell_index c : m_star)
       m_flips.open_cell(c);
   }
@@ -392,7 +392,7 @@ private:
   bool try_to_move(Vertex_index v, const Place& from, const Place& to)
   {
     m_state.positions.set(v, to);
-    find_star(arrays(), v, m_marks, m_star);
+    find_star(arrays(), v, m_state.marks, m_star);
     m_bad.clear();
     for (const Cell_index c : m_star)
       if (!is_positive(c)) {
@@ -418,7 +418,7 @@ private:
       if (!arrays().is_free(c) && !is_positive(c) && !right(c))
         left.push_back(c);
     }
-    find_star(arrays(), v, m_marks, m_star);
+    find_star(arrays(), v, m_state.marks, m_star);
     if (keep_what_is_inverted(left).empty() && keep_what_is_inverted(m_star).empty()) {
       arrays().for_each_changed([this](Cell_index c) { m_flips.open_cell(c); });
       arrays().commit();
@@ -439,7 +439,7 @@ private:
       if (is_same(to.position, from.position))
         continue;
       m_state.positions.set(v, to);
-      find_star(arrays(), v, m_marks, m_star);
+      find_star(arrays(), v, m_state.marks, m_star);
       if (!keep_what_is_inverted(m_star).empty())
         continue;
       if (!is_held(v)) {
@@ -467,7 +467,6 @@ private:
   Column<Vertex_index, char> m_may_right; // whether cells at a vertex may be flipped away
   bool m_is_last_attempt = false;
   std::vector<Cell_index> m_bad, m_failed, m_star;
-  Cell_marks_3 m_marks;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

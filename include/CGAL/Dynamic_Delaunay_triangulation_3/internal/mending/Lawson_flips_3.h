@@ -264,7 +264,7 @@ private:
   {
     if (v == infinite_index)
       std::swap(v, w);
-    find_star(arrays(), v, m_marks, m_star);
+    find_star(arrays(), v, m_state.marks, m_star);
     for (const Cell_index c : m_star)
       if (arrays().place_of(c, w) < 4)
         return true;
@@ -274,7 +274,7 @@ private:
   {
     if (u == infinite_index)
       std::swap(u, v);
-    find_star(arrays(), u, m_marks, m_star);
+    find_star(arrays(), u, m_state.marks, m_star);
     for (const Cell_index c : m_star)
       if (arrays().place_of(c, v) < 4 && arrays().place_of(c, w) < 4)
         return true;
@@ -286,7 +286,6 @@ private:
   std::vector<Facet> m_finite, m_infinite; // open
   std::vector<Facet> m_stuck;
   std::size_t m_number = 0;
-  Cell_marks_3 m_marks;
   std::vector<Cell_index> m_star;
 };
 

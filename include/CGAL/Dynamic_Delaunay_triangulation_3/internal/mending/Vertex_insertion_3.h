@@ -25,8 +25,9 @@ class Vertex_insertion_3
   using Arrays = Tetrahedra_arrays_3;
 
 public:
-  Vertex_insertion_3(const State& state, Arrays& arrays)
+  Vertex_insertion_3(const State& state, Arrays& arrays, Cell_marks_3& marks)
     : m_arrays(arrays)
+    , m_marks(marks)
     , m_signs(state)
     , m_state(state)
   {
@@ -203,10 +204,10 @@ private:
   static constexpr Index bordering = 0, conflicting = 1; // kinds of marks
 
   Arrays& m_arrays;
+  Cell_marks_3& m_marks; // of the cells of these arrays
   Cell_signs_3<State> m_signs;
   const State& m_state;
   Cell_index m_last{0};
-  Cell_marks_3 m_marks;
   std::vector<Cell_index> m_conflicts;
   std::vector<Corner_index> m_border; // corners of cells in conflict, opposite to others
   std::vector<New_cell> m_new_cells;

@@ -28,7 +28,7 @@ public:
   Vertex_removal_3(State& state, Lawson_flips_3<State>& flips)
     : m_state(state)
     , m_flips(flips)
-    , m_filling_insertion(state, m_filling)
+    , m_filling_insertion(state, m_filling, m_filling_marks)
   {
   }
 
@@ -36,7 +36,7 @@ public:
   // changes nothing else. The vertex keeps its number, without cells.
   bool remove(Vertex_index v)
   {
-    find_star(arrays(), v, m_marks, m_hole);
+    find_star(arrays(), v, m_state.marks, m_hole);
     while (m_hole.size() <= most_cells) {
       find_border(v);
       if (triangulate_around() && match_border() && find_inside())
@@ -80,9 +80,9 @@ private:
   // Lists the facets between the hole and the rest, sorted, and the vertices around.
   void find_border(Vertex_index v)
   {
-    m_marks.clear(arrays().number_of_cells());
+    m_state.marks.clear(arrays().number_of_cells());
     for (const Cell_index c : m_hole)
-      m_marks.insert(c);
+      m_state.marks.insert(c);
     m_border.clear();
     m_around.clear();
     m_growth.clear();
@@ -94,7 +94,7 @@ private:
         m_reaches_infinity = m_reaches_infinity || w == infinite_index;
         if (w != v && w != infinite_index)
           m_around.push_back(w);
-        if (!m_marks.has(Arrays::cell_of(arrays().mirror(k))))
+        if (!m_state.marks.has(Arrays::cell_of(arrays().mirror(k))))
           m_border.push_back({facet_of(arrays(), k), k, arrays().mirror(k), null_index});
       }
     std::sort(m_border.begin(), m_border.end(),
@@ -189,11 +189,11 @@ private:
   bool grow()
   {
     const std::size_t before = m_hole.size();
-    m_marks.clear(arrays().number_of_cells());
+    m_state.marks.clear(arrays().number_of_cells());
     for (const Cell_index c : m_hole)
-      m_marks.insert(c);
+      m_state.marks.insert(c);
     for (const Cell_index c : m_growth)
-      if (m_marks.insert(c))
+      if (m_state.marks.insert(c))
         m_hole.push_back(c);
     return m_hole.size() > before;
   }
@@ -233,8 +233,8 @@ private:
   State& m_state;
   Lawson_flips_3<State>& m_flips;
   Arrays m_filling; // a triangulation of the vertices around the hole
+  Cell_marks_3 m_filling_marks;
   Vertex_insertion_3<State> m_filling_insertion;
-  Cell_marks_3 m_marks, m_filling_marks;
   std::vector<Cell_index> m_hole, m_growth, m_inside;
   std::vector<Border> m_border;
   std::vector<Vertex_index> m_around;

@@ -120,7 +120,7 @@ BOOST_FORCEINLINE Points_in_lanes_3<Lanes<n>> points_in_lanes(const Point_at& po
 //
 // Overflow. All terms of `volume` and `power` are at most 3 m^3 and 5 g^5 in absolute value. So
 // where one of them overflows, g^10 does, and where volume^2 does and m^6 does not, volume is far
-// larger than its error. A cell is not proved if g^10 is infinite.
+// larger than its error. Nothing is proved of a cell if m^6 is infinite, nor of a facet if g^10 is.
 //
 // The infinite vertex has the position NaN. Where e is NaN, g is m, `power` is NaN, and the facet
 // counts as proved; no finite e gives NaN unless g^10 is infinite.
@@ -149,7 +149,8 @@ struct Cell_filter_in_lanes_3
     const Number bound = product(volume_factor, product(size, product(size, size)));
     const auto is_negative = volume <= Number(0), is_uncertain = product(volume, volume) <= bound;
     const auto is_small = size <= Number(smallest_square);
-    return is_negative | is_uncertain | is_small;
+    const auto is_large = Number(std::numeric_limits<double>::infinity()) <= bound;
+    return is_negative | is_uncertain | is_small | is_large;
   }
 
   // True unless the vertex at e is proved to be outside of the sphere, given a positive cell, or is

@@ -52,6 +52,7 @@ public:
   Positions_3<Point> positions;
   bool positions_are_exact = true; // no point is rounded in the array of positions
   Tetrahedra_arrays_3 arrays;
+  Cell_marks_3 marks; // of these cells; each tool clears them before it uses them
   // Whether there are cells. Else the points are coplanar, and the edges and triangles of a
   // Delaunay triangulation of their plane are in these lists.
   bool spans_space = false;

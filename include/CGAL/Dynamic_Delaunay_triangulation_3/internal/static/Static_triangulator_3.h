@@ -34,7 +34,7 @@ class Static_triangulator_3
 public:
   explicit Static_triangulator_3(State& state)
     : m_state(state)
-    , m_insertion(state, state.arrays)
+    , m_insertion(state, state.arrays, state.marks)
     , m_signs(state)
   {
   }

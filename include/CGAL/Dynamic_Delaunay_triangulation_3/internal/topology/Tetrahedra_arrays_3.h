@@ -89,6 +89,8 @@ public:
       if (m_cells.size() >= max_cells)
         throw std::length_error("the triangulation would have more than 2^30 - 1 cells");
       c = Cell_index(m_cells.size());
+      if (m_cells.size() == m_cells.capacity()) // doubling would take 200 bytes a point
+        m_cells.reserve(m_cells.size() + m_cells.size() / 8 + 64);
       m_cells.push_back(free_cell());
     } else {
       c = m_free.back();

@@ -259,7 +259,7 @@ private:
   // All cells are positive and all facets legal by now.
   bool covers_space_once()
   {
-    find_star(m_state.arrays, infinite_index, m_marks, m_star);
+    find_star(m_state.arrays, infinite_index, m_state.marks, m_star);
     return Hull_count_3<State>(m_state).is_one(m_star);
   }
 
@@ -282,7 +282,6 @@ private:
   Unproved_cells_3 m_unproved;
   std::vector<Cell_index> m_bad, m_open; // of the unproved ones: not positive, positive
   std::vector<Cell_index> m_star;
-  Cell_marks_3 m_marks;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -33,7 +33,7 @@ public:
     : m_state(state)
     , m_previous(previous)
     , m_flips(flips)
-    , m_insertion(state, state.arrays)
+    , m_insertion(state, state.arrays, state.marks)
     , m_removal(state, flips)
   {
   }
@@ -285,7 +285,7 @@ private:
     for (std::size_t i = m_without_cells.size(); i-- > 0;) {
       const Vertex_index v = m_without_cells[i], last(m_state.positions.number() - 1);
       if (v != last) {
-        find_star(m_state.arrays, last, m_marks, m_star);
+        find_star(m_state.arrays, last, m_state.marks, m_star);
         m_state.arrays.renumber(last, v, m_star);
         m_state.positions.set(v, m_state.positions.place(last));
         m_state.ids.move_points(last, v);
@@ -307,7 +307,6 @@ private:
   std::vector<Vertex_index> m_without_cells; // vertices that have lost their points
   bool m_has_start = false;                  // the last insertion is close to the next one
   std::vector<Cell_index> m_star;
-  Cell_marks_3 m_marks;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
