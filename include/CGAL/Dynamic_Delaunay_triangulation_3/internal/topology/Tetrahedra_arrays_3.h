@@ -349,8 +349,10 @@ public:
   // For so many cells in all.
   void make_room(Index cells)
   {
-    if (m_marks.size() < cells)
+    if (m_marks.size() < cells) {
+      m_marks.reserve(cells + cells / 8 + 64); // resize() alone may double it
       m_marks.resize(cells + cells / 8 + 64, 0);
+    }
   }
   bool has(Cell_index c) const { return m_marks[c] >= m_mark; }
   bool has(Cell_index c, Index kind) const { return m_marks[c] == m_mark + kind; }
