@@ -175,7 +175,7 @@ std::ostream& operator<<(std::ostream& out, const Quadrilateral& q)
   return out << std::defaultfloat;
 }
 
-constexpr Edge_2 edge_of(Index source, Index target, Index left, Index right)
+Edge_2 edge_of(Index source, Index target, Index left, Index right)
 {
   return {Vertex_index(source), Vertex_index(target), Vertex_index(left), Vertex_index(right)};
 }
@@ -517,8 +517,8 @@ struct Turn
   bool is_slight() const { return CGAL::angle(point(p), point(q), point(w)) == CGAL::OBTUSE; }
 };
 
-constexpr Edge_2 hull_edges[] = {edge_of(3, 2, 0, 1), edge_of(2, 3, 1, 0)},
-                 corners[] = {edge_of(0, 2, 1, 3), edge_of(2, 0, 3, 1)};
+const Edge_2 hull_edges[] = {edge_of(3, 2, 0, 1), edge_of(2, 3, 1, 0)},
+             corners[] = {edge_of(0, 2, 1, 3), edge_of(2, 0, 3, 1)};
 
 std::ostream& operator<<(std::ostream& out, const Turn& turn)
 {

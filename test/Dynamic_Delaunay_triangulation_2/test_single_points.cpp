@@ -430,7 +430,9 @@ private:
   void drop(Vertex_index vertex)
   {
     const Vertex_index last(m_ids.number_of_representatives());
-    m_ids.move_last_vertex_to(vertex);
+    if (vertex != last)
+      m_ids.move_points(last, vertex);
+    m_ids.resize(last - 1);
     for (auto& [id, where] : m_model)
       if (where.vertex == last)
         where.vertex = vertex;
