@@ -149,11 +149,7 @@ private:
     for (int i = 0; i < 4; ++i)
       places[i] = i == Arrays::place_of(filling) ? Arrays::place_of(hole)
                                                  : arrays().place_of(Arrays::cell_of(hole), v[i]);
-    int inversions = 0;
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j)
-        inversions += places[i] > places[j];
-    return inversions % 2 == 0;
+    return is_even(places);
   }
 
   // Collects the filling cells inside of the border. False if they leak out.

@@ -176,11 +176,7 @@ private:
     for (int i = 0; i < 4; ++i)
       places[i] = i == arrays.place_of(k) ? arrays.place_of(arrays.mirror(k))
                                           : arrays.place_of(other, arrays.vertices(c)[i]);
-    int inversions = 0;
-    for (int i = 0; i < 4; ++i)
-      for (int j = i + 1; j < 4; ++j)
-        inversions += places[i] > places[j];
-    return c != other && *std::max_element(places.begin(), places.end()) < 4 && inversions % 2 == 1;
+    return c != other && *std::max_element(places.begin(), places.end()) < 4 && !is_even(places);
   }
 
   const State& m_state;

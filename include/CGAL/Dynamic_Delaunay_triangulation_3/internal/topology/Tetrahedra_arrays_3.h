@@ -333,6 +333,16 @@ private:
   std::vector<Cell_index> m_made, m_dropped;
 };
 
+// Whether places are an even permutation of 0, 1, 2 and 3.
+inline bool is_even(const Few<int, 4>& places)
+{
+  int inversions = 0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = i + 1; j < 4; ++j)
+      inversions += places[i] > places[j];
+  return inversions % 2 == 0;
+}
+
 // Marks cells by one of two kinds of marks, and forgets all marks in constant time.
 class Cell_marks_3
 {
