@@ -135,7 +135,7 @@ private:
   std::size_t number() const
   {
     const std::size_t faces = m_state.arrays().number_of_faces();
-    return Parts::number(faces, (std::max)(Parts::usual_size, faces / Spatial_parts::max_number));
+    return (std::min)(Parts::number(faces), Spatial_parts::max_number);
   }
 
   // Calls work(parts, part, edit, element) for all elements of the list, in parts and some rounds.

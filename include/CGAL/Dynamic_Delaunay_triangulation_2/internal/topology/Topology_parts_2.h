@@ -105,7 +105,7 @@ private:
   template <class Parts>
   static std::size_t usual_number(std::size_t faces)
   {
-    return Parts::number(faces, (std::max)(Parts::usual_size, faces / max_number));
+    return (std::min)(Parts::number(faces), max_number);
   }
 
   bool has_vertex(std::size_t part, Vertex_index v) const

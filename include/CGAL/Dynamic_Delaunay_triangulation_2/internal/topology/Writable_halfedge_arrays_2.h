@@ -124,16 +124,16 @@ public:
       return;
     }
     constexpr std::size_t most_parts = 16;
-    const std::size_t least = (std::max)(Parts::usual_size, halfedges / most_parts);
-    const std::size_t parts = Parts::number(halfedges, least);
+    const std::size_t parts = (std::min)(Parts::number(halfedges), most_parts);
     const auto begin = [&](std::size_t part) { return Parts::begin(part, parts, vertices); };
     std::array<std::array<Halfedge_index, most_parts>, most_parts> left_over;
-    Parts::for_each(halfedges, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+    Parts::run(parts, [&](std::size_t part) {
       left_over[part].fill(null_index);
       const std::size_t low = begin(part), high = begin(part + 1);
       std::fill(m_corner.begin() + std::ptrdiff_t(low), m_corner.begin() + std::ptrdiff_t(high),
                 null_index);
-      for (Halfedge_index h(first); h < beyond; ++h)
+      const Halfedge_index beyond(Parts::begin(part + 1, parts, halfedges));
+      for (Halfedge_index h(Parts::begin(part, parts, halfedges)); h < beyond; ++h)
         if (apex(h) >= low && apex(h) < high)
           m_corner[apex(h)] = h;
         else {
