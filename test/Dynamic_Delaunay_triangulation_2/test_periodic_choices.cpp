@@ -435,6 +435,24 @@ TEST(A_slab, is_certified_where_all_listed_edges_are_delaunay)
   ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
 }
 
+// A point of the side has gone into the slab. The flip that would mend it exchanges an edge across
+// the gap for a listed one.
+TEST(A_slab, whose_side_misses_an_edge_is_not_certified_by_adding_it)
+{
+  std::vector<Point> points{Point(0, 0), Point(0.3, 0), Point(0.7, 0),
+                            Point(0, 1), Point(0.3, 1), Point(0.7, 1)};
+  Triangulation<CGAL::Random_classifier_2> pt(points, Cell(Vector(1, 0)),
+                                              CGAL::Random_classifier_2(0));
+  points[5] = Point(0.7, 0.9375);
+  EXPECT_FALSE(pt.update(points).certified);
+  const Edges edges = edges_of(pt);
+  ASSERT_NE(edges, edges_of(fresh(pt)));
+  EXPECT_FALSE(pt.certify());
+  EXPECT_EQ(edges_of(pt), edges);
+  pt.mend();
+  ASSERT_NO_FATAL_FAILURE(expect_periodic_delaunay(pt));
+}
+
 // Edges alone do not tell: if a strip is turned over, all its faces are clockwise.
 TEST(A_slab, is_certified_if_and_only_if_its_edges_and_faces_are_those_of_a_fresh_one)
 {
