@@ -65,7 +65,7 @@ public:
       if (is_afar)
         cut_from_afar(sites, v, neighbor.vertex, box, label++);
       else
-        cut_from_vertex(sites.vector(v, neighbor.vertex), label++);
+        m_polyhedron.cut(sites.bisector(v, neighbor.vertex), label++);
     }
     m_areas.assign(label, 0);
     if (m_polyhedron.is_empty())
@@ -84,12 +84,6 @@ private:
     return std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
   }
 
-  void cut_from_vertex(const Position_3& edge, std::size_t label)
-  {
-    const double length = length_of(edge);
-    m_polyhedron.cut((1 / length) * edge, length / 2, label);
-  }
-
   void cut_from_afar(const Sites& sites, Vertex_index v, Vertex_index w, const Box_3& box,
                      std::size_t label)
   {
@@ -105,8 +99,7 @@ private:
       return;
     if (product < -margin)
       return m_polyhedron.clear();
-    const double length = length_of(edge);
-    m_polyhedron.cut((1 / length) * edge, sites.product_at_bisector(v, w, center) / length, label);
+    m_polyhedron.cut(sites.bisector(v, w, center), label);
   }
 
   Cut_polyhedron_3 m_polyhedron;

@@ -54,7 +54,7 @@ public:
           m_is_bounded = m_is_bounded && is_bounded;
           if (vertices.span_area(v, w, ring, m_corners))
             m_neighbors.push_back(
-                {w, is_bounded ? add_facet(vertices.sites().vector(v, w)) : infinity});
+                {w, is_bounded ? add_facet(vertices.sites().bisector(v, w)) : infinity});
         });
     if (!m_is_bounded)
       return {infinity, infinity};
@@ -70,12 +70,10 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // Adds the pyramid over the facet with these corners, in the middle of an edge from the vertex,
-  // and returns the area of the facet.
-  double add_facet(const Position_3& edge)
+  // Adds the pyramid over the facet with these corners in a plane, and returns its area.
+  double add_facet(const Plane_3& plane)
   {
-    const double length = length_of(edge);
-    const Position_3 normal = (1 / length) * edge, first = m_corners[0];
+    const Position_3& first = m_corners[0];
     note_corner(first);
     double doubled_area = 0;
     Position_3 moment{0, 0, 0}; // six times the area times the vector from the first corner
@@ -84,18 +82,18 @@ private:
       const Position_3& corner = m_corners[i];
       note_corner(corner);
       const Position_3 side = corner - first;
-      const double doubled = dot(normal, cross(last, side));
+      const double doubled = dot(plane.normal, cross(last, side));
       doubled_area += doubled;
       moment = moment + doubled * (last + side);
       last = side;
     }
     if (!(doubled_area > 0)) // by rounding, or NaN, where a corner is too distant for doubles
       return doubled_area <= 0 ? 0 : infinity;
-    const double area = doubled_area / 2, volume = area * length / 6;
+    const double area = doubled_area / 2, volume = area * plane.distance / 3;
     m_surface += area;
     m_volume += volume;
     // the centroid of a pyramid is at three quarters of the way to that of its base
-    m_moment = m_moment + 0.75 * (volume * first + (length / 36) * moment);
+    m_moment = m_moment + 0.75 * (volume * first + (plane.distance / 18) * moment);
     return area;
   }
 

@@ -47,14 +47,14 @@ public:
   bool is_empty() const { return m_facets.empty(); }
   void clear() { m_facets.clear(); }
 
-  // Keeps what has normal * x <= distance.
-  void cut(const Position_3& normal, double distance, std::size_t label)
+  // Keeps what is not beyond the plane, in the direction of its normal.
+  void cut(const Plane_3& plane, std::size_t label)
   {
     if (is_empty())
       return;
     m_heights.clear();
     for (const Position_3& p : m_corners)
-      m_heights.push_back(dot(normal, p) - distance);
+      m_heights.push_back(dot(plane.normal, p) - plane.distance);
     const auto goes = [](double height) { return height > 0; };
     if (std::none_of(m_heights.begin(), m_heights.end(), goes))
       return;

@@ -37,6 +37,18 @@ inline double length_of(const Position_3& p)
   return square > 1e-290 ? std::sqrt(square) : std::hypot(p.x, p.y, p.z);
 }
 
+inline Position_3 divided(const Position_3& p, double by)
+{
+  return {p.x / by, p.y / by, p.z / by};
+}
+
+// All x with normal * x = distance, where the normal has the length 1.
+struct Plane_3
+{
+  Position_3 normal;
+  double distance;
+};
+
 // The vertices in units of a power of two, in which the largest coordinate is about 1. So
 // coordinates stay exact, and products of several of them overflow nowhere; they underflow only
 // where points are closer to each other than 1e-50 of the largest coordinate.
@@ -92,24 +104,51 @@ public:
             CGAL::to_double(Number(scale * v.z))};
   }
 
-  // The product of that vector with all points of the bisector, relative to an origin in these
-  // units, rounded once.
-  double product_at_bisector(Vertex_index v, Vertex_index w, const Position_3& origin) const
+  // The bisector of v and w, relative to v. Its normal is that from v to w.
+  Plane_3 bisector(Vertex_index v, Vertex_index w) const
+  {
+    const Position_3 way = vector(v, w);
+    const double length = length_of(way);
+    if (length > 1e-300) // else digits are lost
+      return {divided(way, length), length / 2};
+    const Exact_vector exact = exact_vector(v, w);
+    return {direction(exact, size_of(exact)), length / 2};
+  }
+
+  // The same relative to an origin, rounded at the end.
+  Plane_3 bisector(Vertex_index v, Vertex_index w, const Position_3& origin) const
   {
     const auto& p = m_state.point(v);
     const auto& q = m_state.point(w);
-    const Exact_vector edge = exact_vector(v, w);
+    const Exact_vector way = exact_vector(v, w);
     const auto doubled_middle = [&](const Coordinate& from, const Coordinate& to, double c) {
       return Number(Exact::of(from) + Exact::of(to) - Number(2 * c) * Number(m_unit));
     };
-    const Number scale(m_scale), half(0.5);
-    return CGAL::to_double(Number((edge.x * doubled_middle(p.x(), q.x(), origin.x) +
-                                   edge.y * doubled_middle(p.y(), q.y(), origin.y) +
-                                   edge.z * doubled_middle(p.z(), q.z(), origin.z)) *
-                                  scale * scale * half));
+    const Number product(way.x * doubled_middle(p.x(), q.x(), origin.x) +
+                         way.y * doubled_middle(p.y(), q.y(), origin.y) +
+                         way.z * doubled_middle(p.z(), q.z(), origin.z));
+    const Number size = size_of(way), half_scale(m_scale / 2);
+    return {direction(way, size),
+            CGAL::to_double(Number(product * half_scale / size)) / length_of(share(way, size))};
   }
 
 private:
+  static Number size_of(const Exact_vector& v)
+  {
+    return (std::max)({Number(CGAL::abs(v.x)), Number(CGAL::abs(v.y)), Number(CGAL::abs(v.z))});
+  }
+  // The vector divided by its size.
+  static Position_3 share(const Exact_vector& v, const Number& size)
+  {
+    return {CGAL::to_double(Number(v.x / size)), CGAL::to_double(Number(v.y / size)),
+            CGAL::to_double(Number(v.z / size))};
+  }
+  static Position_3 direction(const Exact_vector& v, const Number& size)
+  {
+    const Position_3 its = share(v, size);
+    return divided(its, length_of(its));
+  }
+
   const State& m_state;
   double m_unit = 1, m_scale = 1;
 };
