@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/certified_state_3.h>
 
 #include <cstddef>
 #include <type_traits>
@@ -74,11 +75,8 @@ template <class Traits, class ConcurrencyTag, class Triangulation>
 void convert_to_delaunay_triangulation_3(
     const Dynamic_Delaunay_triangulation_3<Traits, ConcurrencyTag>& dt, Triangulation& result)
 {
-  if (!dt.is_certified())
-    throw Uncertified_triangulation_error_2(
-        "there are no cells, since an exception has ended the last call: call mend()");
+  const auto& state = Dynamic_Delaunay_triangulations_3::internal::certified_state(dt);
   result.clear();
-  const auto& state = Dynamic_Delaunay_triangulations_3::internal::Access_3::state(dt);
   if (state.spans_space)
     return Dynamic_Delaunay_triangulations_3::internal::copy_cells(state, result);
   for (std::size_t id = 0; id < dt.number_of_ids(); ++id)

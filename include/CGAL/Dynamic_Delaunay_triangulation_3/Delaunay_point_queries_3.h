@@ -1,0 +1,362 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_DELAUNAY_POINT_QUERIES_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_DELAUNAY_POINT_QUERIES_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_parts.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/certified_state_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Distance_query_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Vertex_star_3.h>
+#include <CGAL/enum.h>
+#include <CGAL/number_type_basic.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+Finds the points in space that are nearest to a *query point*, which may be anywhere, or to one of
+the points, or within a radius of it. It uses the triangulation as it is, without another search
+structure and without a copy. The answers are exact, and do not depend on which of several
+triangulations of cospherical points is there.
+
+Points that coincide have the same distance, and each of them counts.
+
+An object refers to the triangulation, which must keep its address, but may change. Queries change
+nothing visible, but they share memory of the object: several threads must not use the same object
+at once, even if it is constant. Threads that query at the same time need one object each. Queries
+for many query points at once need only one call, whose work threads share if the triangulation has
+the `Parallel_tag`.
+
+The answers are right for the reasons that hold in the plane, \ref
+DynamicDelaunaySubsection_Queries: whoever is not nearest has a neighbor that is nearer. Without
+cells, for points in a plane or on a line, each query looks at all points.
+
+\tparam Dynamic a `Dynamic_Delaunay_triangulation_3`, whose `Geom_traits` have `Compare_distance_3`
+  and `Compare_squared_distance_3`, as CGAL's kernels do.
+
+\sa `Delaunay_neighbor_lists_3`
+*/
+template <class Dynamic>
+class Delaunay_point_queries_3
+{
+  using Point_id = Dynamic_Delaunay_triangulations_3::Point_id;
+  using Vertex_index = Dynamic_Delaunay_triangulations_3::Vertex_index;
+  using Index = Dynamic_Delaunay_triangulations_3::Index;
+  using State = std::decay_t<decltype(Dynamic_Delaunay_triangulations_3::internal::certified_state(
+      std::declval<const Dynamic&>()))>;
+  using Query = Dynamic_Delaunay_triangulations_3::internal::Distance_query_3<State>;
+  using Measured = typename Query::Measured;
+  using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
+  using Parts = typename State::Parts;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// the triangulation.
+  using Triangulation = Dynamic;
+  /// a point.
+  using Point = typename Dynamic::Point;
+  /// a squared distance: the number type of `Geom_traits`.
+  using FT = typename Dynamic::Geom_traits::FT;
+  /// the type of ids.
+  using size_type = std::size_t;
+
+  /// @}
+  /// \name Creation
+  /// @{
+
+  /// creates queries for a triangulation, which need not have any points yet.
+  explicit Delaunay_point_queries_3(const Dynamic& dt)
+    : m_dt(&dt)
+  {
+  }
+
+  /// @}
+  /// \name Queries
+  /// All queries throw `Uncertified_triangulation_error_2` unless the triangulation is certified;
+  /// only an empty range of query points needs no certificate. If points coincide, each query also
+  /// takes time proportional to the number of points that share the vertices it finds.
+  ///
+  /// Those for query points throw `Non_finite_coordinate_error_3` if a coordinate is NaN or
+  /// infinite, and `Coordinate_range_error_3` if it is too large for this program. For a range of
+  /// query points, `id()` of these errors is the number of the query point.
+  ///
+  /// Queries within a radius take its square, which can be exact where the radius is not, and throw
+  /// `Parameter_error_2` if that is negative or not a finite number. Queries with an
+  /// `OutputIterator`, which takes ids if nothing else is said, return where the next answer would
+  /// be written.
+  /// @{
+
+  /// the id of the point that is nearest to `p`; if several are equally near, the smallest id. No
+  /// value if there are no points.
+  ///
+  /// Cost: O(n<sup>1/4</sup>) expected for evenly spread points; less if the answer is near the
+  /// last one.
+  std::optional<size_type> nearest(const Point& p) const { return find_nearest(p, 0); }
+
+  /// writes `nearest(p)` for each query point p of a range, in their order.
+  ///
+  /// Cost: that of the queries, which threads share, but those for points that follow each other in
+  /// space are faster.
+  /// \param first, beyond the range of query points.
+  /// \param answers where to write; nothing is written if this throws.
+  /// \tparam ForwardIterator has the value type `Point`.
+  /// \tparam OutputIterator takes values of `std::optional<size_type>`.
+  /// \return where the next answer would be written.
+  template <class ForwardIterator, class OutputIterator>
+  OutputIterator nearest(ForwardIterator first, ForwardIterator beyond,
+                         OutputIterator answers) const
+  {
+    const std::vector<Point> points(first, beyond);
+    std::vector<std::optional<size_type>> found(points.size());
+    Dynamic_Delaunay_triangulations_2::internal::query_in_parts<Parts>(
+        *this, points.size(), [&](const Delaunay_point_queries_3& queries, size_type i, size_type) {
+          found[i] = queries.find_nearest(points[i], i);
+        });
+    return std::copy(found.begin(), found.end(), answers);
+  }
+
+  /// the id of the point other than `id` that is nearest to the point `id`; if several are equally
+  /// near, the smallest id. No value if there is no other point.
+  ///
+  /// Cost: proportional to the number of its neighbors.
+  /// \throws Unknown_id_error_2 if no point has this id.
+  std::optional<size_type> nearest_neighbor(size_type id) const
+  {
+    const Point p = m_dt->point(id);
+    const Floating_point floating_point;
+    const Query query = query_at(p, 0);
+    const Vertex_index v = query.state().ids.vertex(Point_id(id));
+    m_found.assign(1, v);
+    if (!query.state().ids.is_alone(Point_id(id)))
+      return smallest_found(query, id);
+    m_found.clear();
+    std::optional<Measured> nearest;
+    for_each_neighbor(query.state(), v, [&](Vertex_index w) {
+      const Measured other = query.measured(w);
+      const Comparison_result result = nearest ? query.compare(other, *nearest) : SMALLER;
+      if (result == SMALLER) {
+        m_found.clear();
+        nearest = other;
+      }
+      if (result != LARGER)
+        m_found.push_back(w);
+    });
+    return smallest_found(query, id);
+  }
+
+  /// writes all points within a radius of `p`, including those on the sphere, to `answers`, in no
+  /// particular order.
+  ///
+  /// Cost: that of `nearest()`, plus time proportional to the number of points found and of their
+  /// neighbors.
+  template <class OutputIterator>
+  OutputIterator within(const Point& p, const FT& squared_radius, OutputIterator answers) const
+  {
+    return find_within(p, 0, squared_radius, answers);
+  }
+
+  /// lists all points within a radius of each query point of a range. Those of the i-th are
+  /// `answers[begins[i]]` to `answers[begins[i + 1] - 1]`, in ascending order.
+  ///
+  /// Cost: that of the queries, which threads share, and O(k log k) for k points found.
+  /// \param first, beyond the range of query points.
+  /// \param squared_radius the square of the radius.
+  /// \param answers receives the answers for all query points; does not change if this throws.
+  /// \param begins receives where the answers for each query point begin, and at its end the number
+  /// of all answers; does not change if this throws. \tparam ForwardIterator has the value type
+  /// `Point`.
+  template <class ForwardIterator>
+  void within(ForwardIterator first, ForwardIterator beyond, const FT& squared_radius,
+              std::vector<size_type>& answers, std::vector<size_type>& begins) const
+  {
+    check(squared_radius);
+    const std::vector<Point> points(first, beyond);
+    Dynamic_Delaunay_triangulations_2::internal::list_in_parts<Parts>(
+        *this, points.size(), answers, begins,
+        [&](const Delaunay_point_queries_3& queries, size_type i, auto found) {
+          queries.find_within(points[i], i, squared_radius, found);
+        });
+  }
+
+  /// writes all points within a radius of the point `id`, except `id` itself, to `answers`, in no
+  /// particular order.
+  ///
+  /// Cost: proportional to the number of points found and of their neighbors.
+  /// \throws Unknown_id_error_2 if no point has this id.
+  template <class OutputIterator>
+  OutputIterator neighbors_within(size_type id, const FT& squared_radius,
+                                  OutputIterator answers) const
+  {
+    const Point p = m_dt->point(id);
+    const Floating_point floating_point;
+    const Query query = query_at(p, 0);
+    check(squared_radius);
+    return write_within(query, query.state().ids.vertex(Point_id(id)), squared_radius, id, answers);
+  }
+
+  /// @}
+
+private:
+  static void check(const FT& squared_radius)
+  {
+    Dynamic_Delaunay_triangulations_2::internal::check_extent("the squared radius",
+                                                              CGAL::to_double(squared_radius));
+  }
+
+  // Errors call p `number`, its number in a range.
+  Query query_at(const Point& p, size_type number) const
+  {
+    return {Dynamic_Delaunay_triangulations_3::internal::certified_state(*m_dt), p, number};
+  }
+
+  std::optional<size_type> find_nearest(const Point& p, size_type number) const
+  {
+    const Floating_point floating_point;
+    const Query query = query_at(p, number);
+    if (query.state().number_of_vertices() == 0)
+      return std::nullopt;
+    const Measured v = walk(query);
+    flood(query, v.vertex,
+          [&](Vertex_index w) { return query.compare(query.measured(w), v) == EQUAL; });
+    return smallest_found(query, std::nullopt);
+  }
+
+  template <class OutputIterator>
+  OutputIterator find_within(const Point& p, size_type number, const FT& squared_radius,
+                             OutputIterator answers) const
+  {
+    const Floating_point floating_point;
+    const Query query = query_at(p, number);
+    check(squared_radius);
+    if (query.state().number_of_vertices() == 0)
+      return answers;
+    const Measured v = walk(query);
+    if (query.compare_square(v, squared_radius) == LARGER)
+      return answers;
+    return write_within(query, v.vertex, squared_radius, std::nullopt, answers);
+  }
+
+  // Calls f(w) for each neighbor of a vertex; without cells, for all other vertices.
+  template <class Function>
+  void for_each_neighbor(const State& state, Vertex_index v, const Function& f) const
+  {
+    if (state.spans_space)
+      return m_star.for_each_neighbor(state.arrays, v, [&](Vertex_index w, const auto&) { f(w); });
+    for (Vertex_index w(1); w <= state.number_of_vertices(); ++w)
+      if (w != v)
+        f(w);
+  }
+
+  // Returns a nearest vertex: moves to the nearest neighbor until none is nearer.
+  Measured walk(const Query& query) const
+  {
+    Measured nearest = query.measured(start_of_walk(query));
+    Vertex_index last;
+    do {
+      last = nearest.vertex;
+      for_each_neighbor(query.state(), last, [&](Vertex_index w) {
+        const Measured other = query.measured(w);
+        if (query.compare(other, nearest) == SMALLER)
+          nearest = other;
+      });
+    } while (nearest.vertex != last);
+    m_last = last;
+    return nearest;
+  }
+
+  // The nearest of the last answer and a few evenly spread vertices, whose numbers follow a spatial
+  // order.
+  Vertex_index start_of_walk(const Query& query) const
+  {
+    const Index bound = query.state().number_of_vertices() + 1;
+    // a visit takes a three-hundredth of the time of a step: some 30 n^(1/4) visits
+    const Index step = 1 + Index(std::pow(double(bound), 0.75) / 32);
+    Vertex_index nearest = m_last < bound ? m_last : Vertex_index(1);
+    double square = query.rounded_squared_distance(nearest);
+    for (Vertex_index v(1); v < bound; v += step)
+      if (const double other = query.rounded_squared_distance(v); other < square) {
+        nearest = v;
+        square = other;
+      }
+    return nearest;
+  }
+
+  // Finds all vertices w with `belongs(w)` that are connected with v by such vertices.
+  template <class Predicate>
+  void flood(const Query& query, Vertex_index v, const Predicate& belongs) const
+  {
+    m_found.assign(1, v);
+    m_visited.clear();
+    m_visited.insert(v);
+    for (size_type n = 0; n < m_found.size(); ++n)
+      for_each_neighbor(query.state(), m_found[n], [&](Vertex_index w) {
+        if (m_visited.insert(w) && belongs(w))
+          m_found.push_back(w);
+      });
+  }
+
+  // Calls f(id) for every point at the vertices that were found, except for `asking`.
+  template <class Function>
+  void for_each_found(const Query& query, const std::optional<size_type>& asking,
+                      const Function& f) const
+  {
+    const auto& ids = query.state().ids;
+    const auto call = [&](size_type id) {
+      if (id != asking)
+        f(id);
+    };
+    for (const Vertex_index v : m_found) {
+      call(ids.representative(v));
+      ids.for_each_covered_at(v, [&](Point_id id, const auto&) { call(id); });
+    }
+  }
+
+  std::optional<size_type> smallest_found(const Query& query,
+                                          const std::optional<size_type>& asking) const
+  {
+    std::optional<size_type> smallest;
+    for_each_found(query, asking, [&](size_type found) {
+      if (!smallest || found < *smallest)
+        smallest = found;
+    });
+    return smallest;
+  }
+
+  template <class OutputIterator>
+  OutputIterator write_within(const Query& query, Vertex_index v, const FT& squared_radius,
+                              const std::optional<size_type>& asking, OutputIterator answers) const
+  {
+    flood(query, v, [&](Vertex_index w) {
+      return query.compare_square(query.measured(w), squared_radius) != LARGER;
+    });
+    for_each_found(query, asking, [&](size_type found) { *answers++ = found; });
+    return answers;
+  }
+
+  const Dynamic* m_dt;
+  mutable Vertex_index m_last{1}; // the vertex found by the last walk
+  mutable Dynamic_Delaunay_triangulations_3::internal::Vertex_star_3 m_star;
+  mutable Dynamic_Delaunay_triangulations_3::internal::Vertex_set_3 m_visited;
+  mutable std::vector<Vertex_index> m_found;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_DELAUNAY_POINT_QUERIES_3_H

@@ -1,0 +1,349 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_VORONOI_CELL_MEASURES_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_VORONOI_CELL_MEASURES_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/Bbox_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Boxed_cell_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Cell_measures_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/certified_state_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Flat_neighbors_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Rows_by_id_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_sites_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Voronoi_vertices_3.h>
+#include <CGAL/number_type_basic.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Ref
+
+The volumes, surface areas and centroids of the Voronoi cells of points in space, and the areas of
+the facets between them: of whole cells, or of what is in a box. The volume of a cell is the space
+that its point has for itself; its inverse is the local density.
+
+Volumes are in the cubed unit of the coordinates, areas in the squared unit, centroids in that unit.
+
+- *Neighbors* are points whose cells share a facet with an area. Exact predicates decide this for
+  whole cells, also for those that are clipped later; so it does not depend on which of several
+  Delaunay triangulations of cospherical points is there. In a cubic lattice each cell has six.
+- Points that coincide share a cell. Each gets an equal share of its volume, so that the volumes
+  still add up, and the whole surface area and centroid. Only the first of them, their
+  representative, has facets, and only it is a neighbor of others.
+- An unbounded cell has infinite volume and surface area, and so has each facet that is unbounded.
+  The cells of all points on the hull are unbounded; so are all cells if the points do not span
+  space.
+- An unbounded cell, and a clipped one without volume, have no centroid. The point's own position
+  takes its place: a relaxation leaves the point where it is.
+- A facet with a neighbor that does not reach into the box has the area 0. Where a cell touches the
+  box only from outside, rounding may leave it a tiny volume, and so a centroid there.
+- Removed ids have 0 for all measures, and no neighbors.
+
+<b>Whole cells.</b> With \f$u = 2^{-53}\f$, each corner of a cell, the circumcenter of a Delaunay
+cell, is off by at most \f$10^5 u\f$ times its distance from the point, mostly by some \f$u\f$;
+where a Delaunay cell is too flat for that, rational numbers place it. All vectors are differences
+to the point, so the distance from the origin does not matter. Volumes and areas are sums without
+cancellation; they are as accurate as the corners. A facet between corners that are much farther
+away than it is wide is less accurate in proportion. Measures that are too large for doubles are
+infinite.
+
+<b>Clipped cells.</b> The box is cut by the bisectors of the point and its neighbors, unless all
+corners of the whole cell are in the box. With \f$D\f$ the diameter of the box, corners are off by
+some \f$u D\f$ across their facets, and volumes by some \f$u D^3\f$, however far away the points
+are: if they are two diameters away, rational numbers place their bisectors. So volumes add up to
+that of the box but for rounding. Volumes are never negative, and centroids are never outside of the
+range of the corners. Facets whose planes include a small angle are less accurate in proportion;
+their sum is not.
+
+Coordinates that are no doubles are subtracted first, then rounded. Points may be anywhere, but
+lengths below \f$10^{-50}\f$ times the largest coordinate are not measured accurately.
+
+\cgalExample{Dynamic_Delaunay_triangulation_2/space_volumes.cpp}
+
+\sa `Delaunay_neighbor_lists_3`
+*/
+class Voronoi_cell_measures_3
+{
+  using Point_id = Dynamic_Delaunay_triangulations_3::Point_id;
+  using Vertex_index = Dynamic_Delaunay_triangulations_3::Vertex_index;
+  using Box = Dynamic_Delaunay_triangulations_3::internal::Box_3;
+
+public:
+  /// \name Types
+  /// @{
+
+  /// an id in the arrays: 32 bits, as inside the triangulation.
+  using Id = std::uint32_t;
+  /// the type of ids and counts.
+  using size_type = std::size_t;
+  /// a place: three doubles, `x`, `y` and `z`.
+  using Position = Dynamic_Delaunay_triangulations_3::Position_3;
+
+  /// @}
+  /// \name Computation
+  /// Threads share the work if the triangulation has the `Parallel_tag`; the result does not depend
+  /// on their number. If memory runs out, there are no measures. While they run, these functions
+  /// take some 250 bytes a point.
+  /// @{
+
+  /// measures the whole cells.
+  ///
+  /// Cost: linear, some two microseconds a point: one walk around each edge, from both of its ends.
+  /// Exact numbers take about ten for each very flat Delaunay cell, and one for each facet between
+  /// cospherical ones.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`.
+  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
+  template <class Dynamic>
+  void compute(const Dynamic& dt)
+  {
+    measure(dt, nullptr);
+  }
+
+  /// measures the parts of the cells in a box. Surface areas include what lies on the boundary of
+  /// the box. Points may be outside of the box; a cell that does not reach into it has the volume
+  /// and the surface area 0. If there is any point, the volumes add up to the volume of the box,
+  /// and the mean of the centroids, weighted by volumes, is its center.
+  ///
+  /// Cost: as above; for a point whose cell has corners outside of the box, some ten microseconds
+  /// more: proportional to the number of its neighbors times the number of its cell's corners.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`.
+  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
+  /// \throws Parameter_error_2 unless the extents of the box are from 0 to 1e100; nothing changes.
+  template <class Dynamic>
+  void compute(const Dynamic& dt, const Bbox_3& box)
+  {
+    using Dynamic_Delaunay_triangulations_2::internal::check_extent;
+    constexpr double largest = 1e100; // its cube is a double
+    check_extent("the extent of the box along x", box.xmax() - box.xmin(), largest);
+    check_extent("the extent of the box along y", box.ymax() - box.ymin(), largest);
+    check_extent("the extent of the box along z", box.zmax() - box.zmin(), largest);
+    const Box bounds{{box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymax(), box.zmax()}};
+    measure(dt, &bounds);
+  }
+
+  /// measures the parts of the cells in a box of the kernel, whose corners are rounded to doubles.
+  template <class Dynamic>
+  void compute(const Dynamic& dt, const typename Dynamic::Geom_traits::Iso_cuboid_3& box)
+  {
+    compute(dt, Bbox_3(CGAL::to_double(box.xmin()), CGAL::to_double(box.ymin()),
+                       CGAL::to_double(box.zmin()), CGAL::to_double(box.xmax()),
+                       CGAL::to_double(box.ymax()), CGAL::to_double(box.zmax())));
+  }
+
+  /// @}
+  /// \name Access
+  /// @{
+
+  /// one more than the largest id ever in use.
+  size_type number_of_ids() const { return m_volumes.size(); }
+  /// the volume of each id.
+  const std::vector<double>& volumes() const { return m_volumes; }
+  /// the surface area of each id.
+  const std::vector<double>& surface_areas() const { return m_surface_areas; }
+  /// the centroid of each id.
+  const std::vector<Position>& centroids() const { return m_centroids; }
+  /// whether the cell of a point is bounded, as all cells in a box are; false for a removed id.
+  /// \pre `id < number_of_ids()`
+  bool is_bounded(size_type id) const
+  {
+    CGAL_precondition(id < number_of_ids());
+    return m_is_bounded[id] != 0;
+  }
+
+  /// where the facets of each id begin in `neighbors()` and `facet_areas()`, and where the last
+  /// ones end: `number_of_ids() + 1` numbers.
+  const std::vector<size_type>& offsets() const { return m_rows.offsets(); }
+  /// the neighbors of all points, smaller ids first for each. Those of `id` are from
+  /// `offsets()[id]` to before `offsets()[id + 1]`.
+  const std::vector<Id>& neighbors() const { return m_neighbors; }
+  /// the area of the facet with each entry of `neighbors()`, the same seen from both sides.
+  const std::vector<double>& facet_areas() const { return m_facet_areas; }
+
+  /// @}
+
+private:
+  struct Facet
+  {
+    Id neighbor;
+    double area;
+  };
+
+  void resize(size_type number)
+  {
+    for (std::vector<double>* measures : {&m_volumes, &m_surface_areas})
+      measures->assign(number, 0);
+    m_centroids.assign(number, Position{0, 0, 0});
+    m_is_bounded.assign(number, false);
+  }
+
+  void clear()
+  {
+    m_rows.clear();
+    m_neighbors.clear();
+    m_facet_areas.clear();
+    resize(0);
+  }
+
+  template <class Dynamic>
+  void measure(const Dynamic& dt, const Box* box)
+  {
+    const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point floating_point;
+    const auto& state = Dynamic_Delaunay_triangulations_3::internal::certified_state(dt);
+    try {
+      resize(state.ids.number_of_ids());
+      measure_vertices(state, box);
+      share_facets<typename std::decay_t<decltype(state)>::Parts>();
+      share_cells(state);
+    } catch (...) {
+      clear();
+      throw;
+    }
+  }
+
+  // What measures the cells of one part.
+  template <class State>
+  struct Tools
+  {
+    Dynamic_Delaunay_triangulations_3::internal::Whole_cell_3<State> whole;
+    Dynamic_Delaunay_triangulations_3::internal::Boxed_cell_3<State> boxed;
+    std::vector<Dynamic_Delaunay_triangulations_3::internal::Cell_neighbor_3> neighbors;
+  };
+
+  template <class State>
+  void measure_vertices(const State& state, const Box* box)
+  {
+    using namespace Dynamic_Delaunay_triangulations_3::internal;
+    using Parts = typename State::Parts;
+    const Scaled_sites_3<State> sites(
+        state, box == nullptr
+                   ? 0.0
+                   : (std::max)(largest_coordinate(box->low), largest_coordinate(box->high)));
+    std::optional<Voronoi_vertices_3<State>> corners;
+    Flat_neighbors_3 flat;
+    if (state.spans_space)
+      corners.emplace(sites);
+    else
+      flat.list_cells(state);
+    std::optional<Box> scaled_box;
+    if (box != nullptr)
+      scaled_box = Box{sites.scaled(box->low), sites.scaled(box->high)};
+    std::vector<Tools<State>> tools(Parts::number(state.number_of_vertices(), least_stars<Parts>));
+    m_rows.compute(
+        state, 0,
+        [&](Vertex_index v, size_type part, std::vector<Facet>& facets) {
+          measure_cell(sites, corners, flat, scaled_box, v, tools[part]);
+          const auto begin = std::ptrdiff_t(facets.size());
+          for (const Cell_neighbor_3& neighbor : tools[part].neighbors)
+            facets.push_back({state.ids.representative(neighbor.vertex),
+                              neighbor.area * sites.unit() * sites.unit()});
+          std::sort(facets.begin() + begin, facets.end(),
+                    [](const Facet& f, const Facet& g) { return f.neighbor < g.neighbor; });
+        },
+        [&](size_type number) {
+          m_neighbors.resize(number);
+          m_facet_areas.resize(number);
+        },
+        [&](size_type entry, const Facet& facet) {
+          m_neighbors[entry] = facet.neighbor;
+          m_facet_areas[entry] = facet.area;
+        });
+  }
+
+  // Lists the neighbors with the areas of facets, and stores the measures of a vertex.
+  template <class Sites, class Corners, class State>
+  void measure_cell(const Sites& sites, const Corners& corners,
+                    const Dynamic_Delaunay_triangulations_3::internal::Flat_neighbors_3& flat,
+                    const std::optional<Box>& box, Vertex_index v, Tools<State>& tools)
+  {
+    using namespace Dynamic_Delaunay_triangulations_3::internal;
+    Cell_measures_3 cell{infinity, infinity};
+    bool is_bounded = false;
+    tools.neighbors.clear();
+    if (corners) {
+      cell = tools.whole.measure(*corners, v);
+      is_bounded = tools.whole.is_bounded();
+      tools.neighbors = tools.whole.neighbors();
+    } else {
+      flat.for_each_neighbor(v, [&](Vertex_index w) { tools.neighbors.push_back({w, infinity}); });
+    }
+    const Position position = sites.state().positions.position(v);
+    Position centroid = position + sites.unit() * cell.centroid;
+    if (box && !(is_bounded && box->contains(sites.at(v), tools.whole.low(), tools.whole.high()))) {
+      cell = tools.boxed.measure(sites, v, tools.neighbors, *box);
+      is_bounded = true;
+      for (size_type i = 0; i < tools.neighbors.size(); ++i)
+        tools.neighbors[i].area = tools.boxed.area(i);
+      centroid = sites.unit() * cell.centroid;
+    }
+    const Point_id id = sites.state().ids.representative(v);
+    m_is_bounded[id] = is_bounded;
+    m_surface_areas[id] = cell.surface * sites.unit() * sites.unit();
+    m_volumes[id] = cell.volume * sites.unit() * sites.unit() * sites.unit();
+    const bool has_centroid = cell.volume > 0 && cell.volume < infinity && is_finite(centroid);
+    m_centroids[id] = has_centroid ? centroid : position;
+  }
+
+  // Takes the area of each facet from the cell of the smaller id.
+  template <class Parts>
+  void share_facets()
+  {
+    Parts::for_each_element(number_of_ids(), [&](size_type id) {
+      for (size_type entry = offsets()[id]; entry < offsets()[id + 1]; ++entry) {
+        const size_type other = m_neighbors[entry];
+        if (other >= id)
+          break;
+        const auto row = m_neighbors.begin();
+        const auto twin =
+            std::lower_bound(row + std::ptrdiff_t(offsets()[other]),
+                             row + std::ptrdiff_t(offsets()[other + 1]), static_cast<Id>(id));
+        m_facet_areas[entry] = m_facet_areas[size_type(twin - row)];
+      }
+    });
+  }
+
+  // Gives points that coincide their shares.
+  template <class State>
+  void share_cells(const State& state)
+  {
+    std::vector<double> points(state.ids.number_of_covered() > 0 ? number_of_ids() : 0, 1);
+    state.ids.for_each_covered(
+        [&](Point_id, Vertex_index v, const auto&) { ++points[state.ids.representative(v)]; });
+    state.ids.for_each_covered([&](Point_id id, Vertex_index v, const auto&) {
+      const size_type first = state.ids.representative(v);
+      m_volumes[id] = m_volumes[first] / points[first];
+      m_surface_areas[id] = m_surface_areas[first];
+      m_centroids[id] = m_centroids[first];
+      m_is_bounded[id] = m_is_bounded[first];
+    });
+    for (size_type id = 0; id < points.size(); ++id)
+      m_volumes[id] /= points[id];
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  std::vector<double> m_volumes, m_surface_areas;
+  std::vector<Position> m_centroids;
+  std::vector<unsigned char> m_is_bounded; // threads write them
+  Dynamic_Delaunay_triangulations_3::internal::Rows_by_id_3<Facet> m_rows;
+  std::vector<Id> m_neighbors;
+  std::vector<double> m_facet_areas;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_VORONOI_CELL_MEASURES_3_H

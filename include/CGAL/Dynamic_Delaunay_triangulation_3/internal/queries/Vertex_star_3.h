@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_VERTEX_STAR_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_VERTEX_STAR_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Tetrahedra_arrays_3.h>
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// A set of some vertices, by hashes. Clearing it takes time proportional to the number of members.
+class Vertex_set_3
+{
+public:
+  void clear()
+  {
+    for (const std::size_t place : m_places)
+      m_table[place] = null_index;
+    m_places.clear();
+  }
+
+  bool contains(Vertex_index v) const { return !m_table.empty() && m_table[place_of(v)] == v; }
+
+  // Whether the vertex was not there before.
+  bool insert(Vertex_index v)
+  {
+    if (4 * m_places.size() >= m_table.size())
+      grow();
+    const std::size_t place = place_of(v);
+    if (m_table[place] == v)
+      return false;
+    m_places.push_back(place); // may throw
+    m_table[place] = v;
+    return true;
+  }
+
+private:
+  // Where the vertex is, or would be inserted. There is always a free place.
+  std::size_t place_of(Vertex_index v) const
+  {
+    const std::size_t mask = m_table.size() - 1;
+    std::size_t place = ((Index(v) * 0x9e3779b1u) >> 7) & mask;
+    while (m_table[place] != v && m_table[place] != null_index)
+      place = (place + 1) & mask;
+    return place;
+  }
+
+  void grow()
+  {
+    std::vector<Vertex_index> members;
+    for (const std::size_t place : m_places)
+      members.push_back(m_table[place]);
+    m_places.clear();
+    m_table.assign(m_table.empty() ? 128 : 2 * m_table.size(), null_index);
+    for (const Vertex_index v : members)
+      insert(v);
+  }
+
+  std::vector<Vertex_index> m_table; // a power of two of them
+  std::vector<std::size_t> m_places; // those in use
+};
+
+// A cell around an edge, and the vertex that it shares with the next cell.
+struct Ring_cell_3
+{
+  Cell_index cell;
+  Vertex_index next;
+};
+// The cells around an edge, counterclockwise as seen from the end of the edge.
+using Cell_ring_3 = std::vector<Ring_cell_3>;
+
+// Visits the neighbors of vertices, one vertex after the other. It marks no cells, so that each
+// thread can have one at little cost.
+class Vertex_star_3
+{
+public:
+  // Calls f(w, ring) for each finite neighbor w of v, with the cells around the edge from v to w.
+  template <class Function>
+  void for_each_neighbor(const Tetrahedra_arrays_3& arrays, Vertex_index v, const Function& f)
+  {
+    m_found.clear();
+    m_open.clear();
+    const Cell_index first = Tetrahedra_arrays_3::cell_of(arrays.corner_of(v));
+    for (const Vertex_index w : arrays.vertices(first))
+      if (w != v && m_open.empty())
+        note(w, first);
+    for (std::size_t n = 0; n < m_open.size(); ++n) {
+      const auto [w, cell] = m_open[n];
+      walk_around(arrays, v, w, cell);
+      for (const Ring_cell_3& of_ring : m_ring)
+        note(of_ring.next, of_ring.cell);
+      f(w, m_ring);
+    }
+  }
+
+private:
+  // The vertices around v are connected without the infinite one, too.
+  void note(Vertex_index w, Cell_index cell)
+  {
+    if (w != infinite_index && m_found.insert(w))
+      m_open.emplace_back(w, cell);
+  }
+
+  void walk_around(const Tetrahedra_arrays_3& arrays, Vertex_index v, Vertex_index w,
+                   Cell_index first)
+  {
+    const int from = arrays.place_of(first, v), to = arrays.place_of(first, w);
+    int leaving = 0;
+    while (leaving == from || leaving == to)
+      ++leaving;
+    int staying = 6 - from - to - leaving;
+    if (!is_even(Few<int, 4>{from, to, leaving, staying}))
+      std::swap(leaving, staying);
+    m_ring.clear();
+    Cell_index cell = first;
+    Vertex_index next = arrays.vertices(cell)[staying];
+    do {
+      m_ring.push_back({cell, next});
+      const Corner_index beyond = arrays.mirror(Tetrahedra_arrays_3::corner(cell, leaving));
+      cell = Tetrahedra_arrays_3::cell_of(beyond);
+      leaving = Tetrahedra_arrays_3::place_of_known(arrays.cell(cell), next);
+      next = arrays.vertex(beyond);
+    } while (cell != first);
+  }
+
+  Vertex_set_3 m_found;
+  std::vector<std::pair<Vertex_index, Cell_index>> m_open; // neighbors, each with a cell
+  Cell_ring_3 m_ring;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_VERTEX_STAR_3_H
