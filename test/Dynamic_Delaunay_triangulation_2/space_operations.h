@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <map>
 #include <random>
+#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -35,6 +36,15 @@ public:
 
   const Dynamic& triangulation() const { return m_triangulation; }
   const std::map<std::size_t, Point>& points() const { return m_points; }
+
+  // Goes on with a triangulation that another one has written.
+  void interrupt()
+  {
+    std::stringstream file;
+    file << m_triangulation;
+    m_triangulation = Dynamic();
+    ASSERT_TRUE(file >> m_triangulation);
+  }
 
   void insert(std::size_t number)
   {
