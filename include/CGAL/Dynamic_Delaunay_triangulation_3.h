@@ -47,11 +47,17 @@ struct Access_3
     return dt.m_core->state;
   }
 
-  // A frame of a population, as `Dynamic_Delaunay_triangulation_3::update_population()`.
+  // What happens to a population, as `Dynamic_Delaunay_triangulation_3::update_population()` and
+  // `insert_into_population()` do it.
   template <class Dynamic, class... Frame>
   static auto update_population(Dynamic& dt, Frame&&... frame)
   {
     return dt.update_population(std::forward<Frame>(frame)...);
+  }
+  template <class Dynamic, class... Newcomers>
+  static auto insert_into_population(Dynamic& dt, Newcomers&&... newcomers)
+  {
+    return dt.insert_into_population(std::forward<Newcomers>(newcomers)...);
   }
   template <class Dynamic, class... Appendix>
   static void write_checkpoint(const Dynamic& dt, std::ostream& out, const Appendix&... appendix)
@@ -545,12 +551,27 @@ private:
                                     const std::vector<Point>& coming,
                                     std::vector<size_type>& coming_ids)
   {
-    const Floating_point floating_point;
     Change change;
     change.is_frame = true;
     change.positions = &positions;
-    change.gone.assign(gone.begin(), gone.end());
-    Input::check_number(number_of_points() - gone.size() + coming.size());
+    for (const size_type id : gone)
+      change.gone.emplace_back(id);
+    return change_population(change, coming, coming_ids);
+  }
+
+  // Only inserts points.
+  Update_report_3 insert_into_population(const std::vector<Point>& coming,
+                                         std::vector<size_type>& coming_ids)
+  {
+    Change change;
+    return change_population(change, coming, coming_ids);
+  }
+
+  Update_report_3 change_population(Change& change, const std::vector<Point>& coming,
+                                    std::vector<size_type>& coming_ids)
+  {
+    const Floating_point floating_point;
+    Input::check_number(number_of_points() - change.gone.size() + coming.size());
     change.coming = ids().next_ids(coming.size(), change.gone);
     change.coming_points = coming;
     std::vector<size_type> next_ids(change.coming.begin(), change.coming.end());
