@@ -19,7 +19,7 @@
 namespace space_operations {
 
 // A triangulation in space, the points that it should have, and what happens to both.
-template <class Dynamic>
+template <class Dynamic, class Random = std::mt19937_64>
 class Program
 {
 public:
@@ -29,6 +29,14 @@ public:
   // planes and each other.
   Program(std::uint64_t seed, double extent = 1, double grid = 0)
     : m_random(seed)
+    , m_extent(extent)
+    , m_grid(grid)
+  {
+  }
+
+  // As a generator of random numbers decides.
+  explicit Program(const Random& random, double extent = 1, double grid = 0)
+    : m_random(random)
     , m_extent(extent)
     , m_grid(grid)
   {
@@ -196,7 +204,7 @@ private:
     EXPECT_TRUE(m_triangulation.update(frame).certified);
   }
 
-  std::mt19937_64 m_random;
+  Random m_random;
   double m_extent, m_grid;
   Dynamic m_triangulation;
   std::map<std::size_t, Point> m_points;
