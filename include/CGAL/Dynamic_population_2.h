@@ -9,7 +9,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/Dynamic_triangulation_base_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/User_id_table.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Population_frame.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
@@ -21,9 +21,7 @@
 #include <cstdint>
 #include <istream>
 #include <iterator>
-#include <limits>
 #include <ostream>
-#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -210,15 +208,13 @@ public:
                          PointMap point_map = PointMap())
   {
     Dynamic_Delaunay_triangulations_2::internal::length_within_limit(first, beyond, size());
-    forget_newcomers();
-    read_each(first, beyond, id_map, point_map, Access::position_check(m_triangulation),
-              [this](UserId user_id, const Point& p) {
-                if (has(user_id))
-                  throw Repeated_id_error_2(user_id);
-                note_newcomer(user_id, p, no_id);
-              });
-    Dynamic_Delaunay_triangulations_2::internal::check_distinct(m_newcomers);
-    return insert_newcomers();
+    m_frame.read_newcomers(first, beyond, id_map, point_map,
+                           Access::position_check(m_triangulation));
+    m_frame.expect(m_frame.new_points().size(), m_triangulation);
+    const Dynamic_Delaunay_triangulations_2::internal::At_exit record{
+        [this] { m_frame.record_newcomers(m_triangulation); }};
+    return m_triangulation.insert(m_frame.new_points().begin(), m_frame.new_points().end(),
+                                  std::back_inserter(m_frame.new_ids()));
   }
 
   /// adds the points of a range with `begin()` and `end()`.
@@ -247,8 +243,9 @@ public:
       gone.push_back(id(user_ids.back()));
     }
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
-    m_new_ids.clear();
-    const At_exit record{[&] { forget_gone(gone); }};
+    m_frame.expect(0, m_triangulation);
+    const Dynamic_Delaunay_triangulations_2::internal::At_exit record{
+        [&] { m_frame.forget_gone(gone, m_triangulation); }};
     return m_triangulation.remove(gone.begin(), gone.end());
   }
 
@@ -281,11 +278,11 @@ public:
   {
     std::vector<UserId> user_ids;
     std::vector<std::pair<size_type, Point>> movers;
-    read_each(first, beyond, id_map, point_map, Access::position_check(m_triangulation),
-              [&](UserId user_id, const Point& p) {
-                movers.emplace_back(id(user_id), p);
-                user_ids.push_back(user_id);
-              });
+    Frame::read_each(first, beyond, id_map, point_map, Access::position_check(m_triangulation),
+                     [&](UserId user_id, const Point& p) {
+                       movers.emplace_back(id(user_id), p);
+                       user_ids.push_back(user_id);
+                     });
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
     return m_triangulation.move(movers.begin(), movers.end());
   }
@@ -315,29 +312,23 @@ public:
   /// the visitor, in order to read and clear what it has recorded.
   auto& visitor() { return m_triangulation.visitor(); }
   /// the number of points.
-  size_type size() const { return m_ids.size(); }
+  size_type size() const { return m_frame.size(); }
   /// whether a point has this id.
-  bool has(UserId user_id) const { return m_ids.find(user_id) != no_id; }
+  bool has(UserId user_id) const { return m_frame.has(user_id); }
 
   /// the id of a point in `triangulation()`. It stays the same until the point is removed.
   /// \throws Unknown_user_id_error_2 if no point has this id.
-  size_type id(UserId user_id) const
-  {
-    const size_type found = m_ids.find(user_id);
-    if (found == no_id)
-      throw Unknown_user_id_error_2(user_id);
-    return found;
-  }
+  size_type id(UserId user_id) const { return m_frame.id(user_id); }
 
   /// the user's id of the point `id` of `triangulation()`. \pre that point exists.
-  UserId user_id(size_type id) const { return m_user_ids[id]; }
+  UserId user_id(size_type id) const { return m_frame.user_id(id); }
   /// the vertex of a point. \throws Unknown_user_id_error_2 if no point has this id.
   Vertex_handle vertex(UserId user_id) const { return m_triangulation.vertex(id(user_id)); }
   /// the position of a point. \throws Unknown_user_id_error_2 if no point has this id.
   decltype(auto) point(UserId user_id) const { return m_triangulation.point(id(user_id)); }
   /// the user's id of the point at a finite vertex. If several points share the vertex, this is the
   /// id of their representative, the one that was there first.
-  UserId user_id(Vertex_handle vertex) const { return m_user_ids[m_triangulation.id(vertex)]; }
+  UserId user_id(Vertex_handle vertex) const { return user_id(m_triangulation.id(vertex)); }
 
   /// @}
   /// \name Checkpoints
@@ -347,12 +338,8 @@ public:
   /// \throws Checkpoint_error_2 as that function does.
   void write_checkpoint(std::ostream& out) const
   {
-    Access::write_checkpoint(m_triangulation, out, Traits::checkpoint_subject, [this](auto& file) {
-      file.line("user_ids", size());
-      for (size_type id = 0; id < m_triangulation.number_of_ids(); ++id)
-        if (m_triangulation.has_id(id))
-          file.line(id, Widest(m_user_ids[id]));
-    });
+    Access::write_checkpoint(m_triangulation, out, Traits::checkpoint_subject,
+                             [this](auto& file) { m_frame.write_file(file, m_triangulation); });
   }
 
   /// replaces this population by one from a file, as the triangulation's `read_checkpoint()` does.
@@ -361,15 +348,11 @@ public:
   /// what changes.
   void read_checkpoint(std::istream& in)
   {
-    Table ids;
-    std::vector<UserId> user_ids;
+    Frame frame;
     const auto read_more = [&](auto& file, const auto& ids_read) {
-      read_user_ids(file, ids_read, ids, user_ids);
+      frame.read_file(file, ids_read);
     };
-    const auto exchange_more = [&] {
-      m_ids.swap(ids);
-      m_user_ids.swap(user_ids);
-    };
+    const auto exchange_more = [&] { m_frame.take_over(frame); };
     Access::read_checkpoint(m_triangulation, in, Traits::checkpoint_subject, read_more,
                             exchange_more);
   }
@@ -395,210 +378,22 @@ private:
   Update_report_2 update_to(InputIterator first, InputIterator beyond, const IdMap& id_map,
                             const PointMap& point_map, const Cell&... cell)
   {
-    read(first, beyond, id_map, point_map, Access::position_check(m_triangulation, cell...));
-    find_missing();
-    m_new_ids.clear();
-    const At_exit record{[this] {
-      forget_gone(m_missing);
-      record_newcomers();
-    }};
-    expect_newcomers();
-    return Access::update_population(m_triangulation, m_positions, m_missing, m_new_points,
-                                     m_new_ids, cell...);
-  }
-
-  using Table = Dynamic_Delaunay_triangulations_2::internal::User_id_table<UserId>;
-
-  static constexpr size_type no_id = Table::no_id;
-  static constexpr size_type ahead = 8; // how many ids earlier the table is prefetched
-
-  // The type as which files hold user ids, since a `User_id` may be of a character type or bool.
-  using Widest = std::conditional_t<std::is_signed_v<UserId>, long long, unsigned long long>;
-
-  // Runs `work` at the end of the scope, even after an exception.
-  template <class Work>
-  struct At_exit
-  {
-    Work work;
-    ~At_exit() { work(); }
-  };
-  template <class Work>
-  At_exit(Work) -> At_exit<Work>;
-
-  // Reads one user id for each point.
-  template <class File, class Ids>
-  static void read_user_ids(File& file, const Ids& ids_read, Table& ids,
-                            std::vector<UserId>& user_ids)
-  {
-    using Limits = std::numeric_limits<UserId>;
-    const size_type points = ids_read.number_of_points();
-    file.number_entry("user_ids", points, points);
-    user_ids.resize(ids_read.number_of_ids());
-    ids.reserve_extra(points);
-    for (size_type id = 0; id < user_ids.size(); ++id) {
-      if (!ids_read.is_taken(id))
-        continue;
-      file.next_line();
-      file.number("the id", id, id);
-      const Widest user_id =
-          file.number("the user's id", Widest((Limits::min)()), Widest((Limits::max)()));
-      file.end_line();
-      user_ids[id] = UserId(user_id);
-      if (ids.find(user_ids[id]) != no_id)
-        file.refuse("the user's id " + std::to_string(user_id) + " is there more than once");
-      ids.set(user_ids[id], id);
-    }
-  }
-
-  // Separates the points of a frame into existing and new ones. Nothing else changes.
-  template <class InputIterator, class IdMap, class PointMap, class Check>
-  void read(InputIterator first, InputIterator beyond, const IdMap& id_map,
-            const PointMap& point_map, const Check& check)
-  {
     Dynamic_Delaunay_triangulations_2::internal::length_within_limit(first, beyond, 0);
-    forget_newcomers();
-    m_is_there.assign(m_triangulation.number_of_ids(), false);
-    m_positions.resize(m_triangulation.number_of_ids());
-    m_next_of.resize(m_triangulation.number_of_ids(), no_id);
-    m_last = no_id;
-    read_each(first, beyond, id_map, point_map, check, [this](UserId user_id, const Point& p) {
-      const size_type id = find(user_id);
-      if (id == no_id)
-        return note_newcomer(user_id, p, m_last);
-      if (m_is_there[id])
-        throw Repeated_id_error_2(user_id);
-      m_is_there[id] = true;
-      m_positions[id] = p;
-      note_order(id);
-    });
-    Dynamic_Delaunay_triangulations_2::internal::check_distinct(m_newcomers);
+    m_frame.read(first, beyond, id_map, point_map, Access::position_check(m_triangulation, cell...),
+                 m_triangulation);
+    m_frame.expect(m_frame.new_points().size(), m_triangulation);
+    const Dynamic_Delaunay_triangulations_2::internal::At_exit record{[this] {
+      m_frame.forget_gone(m_frame.missing(), m_triangulation);
+      m_frame.record_newcomers(m_triangulation);
+    }};
+    return Access::update_population(m_triangulation, m_frame.positions(), m_frame.missing(),
+                                     m_frame.new_points(), m_frame.new_ids(), cell...);
   }
 
-  // Calls f(user_id, p) for each value of a range, unless `check` throws because p is not allowed.
-  template <class InputIterator, class IdMap, class PointMap, class Check, class Function>
-  static void read_each(InputIterator first, InputIterator beyond, const IdMap& id_map,
-                        const PointMap& point_map, const Check& check, const Function& f)
-  {
-    for (size_type place = 0; first != beyond; ++first, ++place) {
-      auto&& value = *first;
-      const auto user_id = UserId(get(id_map, value));
-      const Point p = get(point_map, value);
-      check(p, place);
-      f(user_id, p);
-    }
-  }
-
-  // Returns the id of the point with a user id, or no_id. Most points follow the same point as in
-  // the last frame, directly or almost: these are found without a look-up in the table.
-  size_type find(UserId user_id) const
-  {
-    constexpr int soon = 3;
-    size_type expected = m_last;
-    for (int i = 0; i < soon && expected < m_next_of.size(); ++i) {
-      expected = m_next_of[expected];
-      if (expected < m_user_ids.size() && m_user_ids[expected] == user_id &&
-          m_triangulation.has_id(expected))
-        return expected;
-    }
-    return m_ids.find(user_id);
-  }
-
-  void note_order(size_type id)
-  {
-    if (m_last != no_id)
-      m_next_of[m_last] = id;
-    m_last = id;
-  }
-
-  // Lists the missing points. Every id needs some position: these get their last ones.
-  void find_missing()
-  {
-    m_missing.clear();
-    for (size_type id = 0; id < m_is_there.size(); ++id)
-      if (!m_is_there[id] && m_triangulation.has_id(id)) {
-        m_missing.push_back(id);
-        m_positions[id] = m_triangulation.point(id);
-      }
-  }
-
-  // Removes the user ids of points that are gone. `missing` must be ascending if new points were
-  // inserted meanwhile.
-  void forget_gone(const std::vector<size_type>& missing)
-  {
-    auto next_new = m_new_ids.begin(); // a new point may have the id of a removed one
-    for (size_type i = 0; i < missing.size(); ++i) {
-      if (i + ahead < missing.size())
-        m_ids.prefetch(m_user_ids[missing[i + ahead]]);
-      while (next_new != m_new_ids.end() && *next_new < missing[i])
-        ++next_new;
-      const bool is_new = next_new != m_new_ids.end() && *next_new == missing[i];
-      if (is_new || !m_triangulation.has_id(missing[i]))
-        m_ids.erase(m_user_ids[missing[i]]);
-    }
-  }
-
-  // Allocates memory for all new points before the first one is inserted.
-  void expect_newcomers()
-  {
-    m_new_ids.clear();
-    m_new_ids.reserve(m_newcomers.size());
-    m_user_ids.resize(m_triangulation.number_of_ids() + m_newcomers.size());
-    m_next_of.resize(m_user_ids.size(), no_id);
-    m_ids.reserve_extra(m_newcomers.size());
-  }
-
-  Update_report_2 insert_newcomers()
-  {
-    const At_exit record{[this] { record_newcomers(); }};
-    expect_newcomers();
-    return m_triangulation.insert(m_new_points.begin(), m_new_points.end(),
-                                  std::back_inserter(m_new_ids));
-  }
-
-  // Records the new points that were inserted: all, unless memory ran out. Goes from the last to
-  // the first, so that m_next_of links points that follow the same one in the order of the frame.
-  void record_newcomers()
-  {
-    for (size_type i = m_new_ids.size(); i-- > 0;) {
-      const size_type id = m_new_ids[i], last = m_newcomers_follow[i];
-      if (i >= ahead)
-        m_ids.prefetch(m_newcomers[i - ahead]);
-      if (!m_triangulation.has_id(id))
-        continue;
-      m_ids.set(m_newcomers[i], id);
-      m_user_ids[id] = m_newcomers[i];
-      m_next_of[id] = last == no_id ? no_id : std::exchange(m_next_of[last], id);
-    }
-  }
-
-  void note_newcomer(UserId user_id, const Point& p, size_type last)
-  {
-    m_newcomers.push_back(user_id);
-    m_newcomers_follow.push_back(last);
-    m_new_points.push_back(p);
-  }
-
-  void forget_newcomers()
-  {
-    m_newcomers.clear();
-    m_newcomers_follow.clear();
-    m_new_points.clear();
-  }
+  using Frame = Dynamic_Delaunay_triangulations_2::internal::Population_frame<UserId, Point>;
 
   Dynamic m_triangulation;
-  Table m_ids;
-  std::vector<UserId> m_user_ids; // of each id
-
-  // about the frame that is being read:
-  std::vector<size_type> m_next_of; // the next id, in this frame or else in the last
-  size_type m_last = no_id;
-  std::vector<bool> m_is_there;   // by id: whether the frame has it
-  std::vector<Point> m_positions; // of each id
-  std::vector<UserId> m_newcomers;
-  std::vector<size_type> m_newcomers_follow; // the last existing point before each newcomer
-  std::vector<Point> m_new_points;
-  std::vector<size_type> m_new_ids; // ascending
-  std::vector<size_type> m_missing; // ascending
+  Frame m_frame;
 };
 
 } // namespace CGAL

@@ -12,13 +12,14 @@
 #include <cstddef>
 #include <map>
 #include <random>
+#include <sstream>
 #include <utility>
 #include <vector>
 
 namespace space_operations {
 
 // A triangulation in space, the points that it should have, and what happens to both.
-template <class Dynamic>
+template <class Dynamic, class Random = std::mt19937_64>
 class Program
 {
 public:
@@ -33,8 +34,25 @@ public:
   {
   }
 
+  // As a generator of random numbers decides.
+  explicit Program(const Random& random, double extent = 1, double grid = 0)
+    : m_random(random)
+    , m_extent(extent)
+    , m_grid(grid)
+  {
+  }
+
   const Dynamic& triangulation() const { return m_triangulation; }
   const std::map<std::size_t, Point>& points() const { return m_points; }
+
+  // Goes on with a triangulation that another one has written.
+  void interrupt()
+  {
+    std::stringstream file;
+    file << m_triangulation;
+    m_triangulation = Dynamic();
+    ASSERT_TRUE(file >> m_triangulation);
+  }
 
   void insert(std::size_t number)
   {
@@ -186,7 +204,7 @@ private:
     EXPECT_TRUE(m_triangulation.update(frame).certified);
   }
 
-  std::mt19937_64 m_random;
+  Random m_random;
   double m_extent, m_grid;
   Dynamic m_triangulation;
   std::map<std::size_t, Point> m_points;

@@ -4,6 +4,7 @@
 // A triangulation that was written and read goes on as the original does; a file that is no
 // checkpoint of one is refused and changes nothing. `Checkpoints_in` says so in every space.
 
+#include "forged_checkpoint.h"
 #include "oracle.h"
 #include "periodic_oracle.h"
 #include "replaced_heap.h"
@@ -30,7 +31,6 @@
 #include <new>
 #include <random>
 #include <sstream>
-#include <streambuf>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -612,80 +612,6 @@ TYPED_TEST(Checkpoints_in, a_population_goes_on_with_the_ids_of_its_user)
 }
 
 // FILES THAT ARE REFUSED IN EVERY SPACE -----------------------------------------------------------
-
-// Random edits of words and lines, each with the right checksum.
-class Forger
-{
-public:
-  Forger(const std::string& text, unsigned seed)
-    : m_random(seed)
-  {
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line);)
-      m_lines.push_back(line);
-  }
-
-  std::string forged()
-  {
-    std::vector<std::string> lines = m_lines;
-    for (std::size_t edits = 1 + below(3); edits > 0; --edits)
-      edit(lines);
-    std::string text;
-    for (const std::string& line : lines)
-      text += line + '\n';
-    return resealed(text);
-  }
-
-private:
-  void edit(std::vector<std::string>& lines)
-  {
-    const std::size_t i = 1 + below(lines.size() - 2), j = 1 + below(lines.size() - 2);
-    switch (below(8)) {
-    case 0:
-      return std::swap(lines[i], lines[j]);
-    case 1:
-      lines[i] = lines[j];
-      return;
-    case 2:
-      return std::reverse(lines[i].begin(), lines[i].end());
-    case 3:
-      lines.erase(lines.begin() + std::ptrdiff_t(i));
-      return;
-    default:
-      return edit_digit(lines[i]);
-    }
-  }
-
-  void edit_digit(std::string& line)
-  {
-    const std::size_t place = line.find_first_of("0123456789", below(line.size() + 1));
-    if (place != line.npos)
-      line[place] = char('0' + below(10));
-  }
-
-  std::size_t below(std::size_t end) { return m_random() % end; }
-
-  std::mt19937 m_random;
-  std::vector<std::string> m_lines;
-};
-
-// A disk that is full after the given number of bytes.
-class Full_disk : public std::streambuf
-{
-public:
-  explicit Full_disk(std::size_t bytes)
-    : m_left(bytes)
-  {
-  }
-
-private:
-  int_type overflow(int_type c) override
-  {
-    return m_left-- > 0 ? traits_type::not_eof(c) : (m_left = 0, traits_type::eof());
-  }
-
-  std::size_t m_left;
-};
 
 // The state of the stream after a failing read, which must leave the target unchanged.
 template <class Read>

@@ -8,18 +8,17 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Surface_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Checkpoint_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Repair_experience_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -50,7 +49,9 @@ public:
     file.line("certified", m_is_certified ? "yes" : "no");
     file.line("hopeless_share", m_memory.hopeless_share());
     Space::write_dimension(file, m_state);
-    write_points(file);
+    write_points(
+        file, m_state.ids(), [this](Vertex_index v) { return Space::coordinates(m_state, v); },
+        [](const auto& p) { return Space::coordinates(p); });
     if (Space::has_faces(m_state))
       write_topology(file);
     append(file);
@@ -69,22 +70,6 @@ private:
     if (!is_complete)
       throw Checkpoint_error_2(0, "an exception has ended the last call before each point had its "
                                   "vertex: write after the next update()");
-  }
-
-  void write_points(Checkpoint_output_2& file) const
-  {
-    const auto& ids = m_state.ids();
-    file.line("ids", ids.number_of_ids());
-    file.line("vertices", ids.number_of_representatives());
-    for (Vertex_index v(1); v <= ids.number_of_representatives(); ++v)
-      file.line(ids.representative(v), Space::coordinates(m_state, v));
-    file.line("duplicates", ids.number_of_covered());
-    for (const Point_id id : ids.covered_ids())
-      file.line(id, ids.vertex(id), Space::coordinates(ids.covered_point(id)));
-    file.line("free_ids", ids.number_of_ids() - ids.number_of_points());
-    for (Point_id id(0); id < ids.number_of_ids(); ++id)
-      if (!ids.is_taken(id))
-        file.line(id);
   }
 
   void write_topology(Checkpoint_output_2& file) const
@@ -128,7 +113,7 @@ public:
     m_memory.restore(
         m_file.number_entry("hopeless_share", std::size_t(1), Repair_experience_2::all));
     m_space.read_dimension(m_is_certified);
-    read_points();
+    Checkpoint_points_reader_2(m_file, m_space, m_kept.points, m_kept.ids).read();
     if (m_space.has_faces())
       read_topology();
     m_space.restore(state);
@@ -140,90 +125,7 @@ public:
   const Repair_experience_2& memory() const { return m_memory; }
 
 private:
-  // POINTS --------------------------------------------------------------------------------------
-
-  // Ids must be smaller than `null_index`. The limit for vertices is lower (`max_vertices`),
-  // because Flat_faces_2 numbers eight half-edges per vertex.
-  static constexpr Index max_ids = null_index - 1;
-
-  void read_points()
-  {
-    m_number_of_ids = m_file.number_entry("ids", Index(0), max_ids);
-    read_vertices();
-    read_covered();
-    read_free_ids();
-    check_ids();
-    m_kept.ids.reset(m_number_of_ids);
-    auto id = m_ids.begin();
-    for (Index i = 0; i < number_of_vertices(); ++i)
-      m_kept.ids.add_representative(*id++);
-    for (const auto& [vertex, point] : m_covered)
-      m_kept.ids.cover(*id++, vertex, point);
-    m_kept.ids.finish_numbering();
-  }
-
   Index number_of_vertices() const { return Index(m_kept.points.size()); }
-
-  void read_vertices()
-  {
-    const Index number =
-        m_file.number_entry("vertices", m_space.fewest_vertices(), m_space.most_vertices());
-    for (Vertex_index v(1); v <= number; ++v) {
-      read_id();
-      m_space.read_vertex();
-      m_file.end_line();
-    }
-  }
-
-  // Reads the id at the beginning of a line.
-  void read_id()
-  {
-    m_file.next_line();
-    if (m_number_of_ids == 0)
-      m_file.refuse("a point is here, and there are no ids");
-    m_ids.emplace_back(m_file.number("the id", Index(0), m_number_of_ids - 1));
-  }
-
-  void read_covered()
-  {
-    const Index number =
-        m_file.number_entry("duplicates", Index(0), (std::min)(m_number_of_ids, max_vertices));
-    if (number > 0 && number_of_vertices() == 0)
-      m_file.refuse("there are duplicates, and no vertices");
-    for (Index i = 0; i < number; ++i) {
-      read_id();
-      const Vertex_index vertex(m_file.number("the vertex", Index(1), number_of_vertices()));
-      const Point p = m_space.read_point();
-      m_file.end_line();
-      if (!m_space.coincide(p, m_kept.points[vertex - 1]))
-        m_file.refuse("the duplicate is not where its vertex is");
-      m_covered.emplace_back(vertex, p);
-    }
-  }
-
-  void read_free_ids()
-  {
-    const std::size_t points = m_ids.size();
-    const auto number = m_file.number_entry("free_ids", std::size_t(0), std::size_t(max_ids));
-    if (points + number != m_number_of_ids)
-      m_file.refuse("of " + std::to_string(m_number_of_ids) + " ids " + std::to_string(points) +
-                    " are taken, and " + std::to_string(number) + " cannot be free");
-    for (std::size_t i = 0; i < number; ++i) {
-      read_id();
-      m_file.end_line();
-    }
-  }
-
-  // As many ids were read as there are, so it is enough that no id occurs twice.
-  void check_ids() const
-  {
-    std::vector<bool> is_there(m_number_of_ids);
-    for (const Point_id id : m_ids) {
-      if (is_there[id])
-        m_file.refuse("the id " + std::to_string(id) + " is there more than once, above");
-      is_there[id] = true;
-    }
-  }
 
   // TOPOLOGY ------------------------------------------------------------------------------------
 
@@ -310,9 +212,6 @@ private:
   Space m_space{m_file, m_kept};
   Repair_experience_2 m_memory;
   bool m_is_certified = false;
-  Index m_number_of_ids = 0;
-  std::vector<Point_id> m_ids; // of representatives, then of covered points, then free ones
-  std::vector<std::pair<Vertex_index, Point>> m_covered; // their vertices, and the points
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Algebraic_structure_traits.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_coordinate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Surface_check_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
@@ -18,111 +18,17 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Flat_faces_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/enum.h>
-#include <CGAL/Fraction_traits.h>
-#include <CGAL/Lazy_exact_nt.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <locale>
-#include <sstream>
 #include <string>
-#include <string_view>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
-
-template <class FT>
-const FT& exact_value(const FT& x)
-{
-  return x;
-}
-template <class ET>
-const ET& exact_value(const Lazy_exact_nt<ET>& x)
-{
-  return x.exact();
-}
-
-// Writes a coordinate as a fraction of integers, so that exactly the same number is read back.
-template <class FT>
-class Checkpoint_coordinate_2
-{
-  using Exact = std::decay_t<decltype(exact_value(std::declval<const FT&>()))>;
-  using Fraction = Fraction_traits<Exact>;
-  using Numerator = typename Fraction::Numerator_type;
-  using Denominator = typename Fraction::Denominator_type;
-  template <class Integer>
-  static constexpr bool is_integer =
-      std::is_convertible_v<typename Algebraic_structure_traits<Integer>::Algebraic_category,
-                            Euclidean_ring_tag>;
-  static_assert(Fraction::Is_fraction::value && is_integer<Numerator> && is_integer<Denominator>,
-                "a checkpoint needs coordinates that can be written exactly: doubles, or fractions "
-                "of integers as in Exact_predicates_exact_constructions_kernel");
-
-public:
-  static constexpr const char* kind = "rational";
-  static constexpr const char* meaning = "a fraction of integers";
-
-  static std::string text(const FT& x)
-  {
-    Numerator numerator;
-    Denominator denominator;
-    typename Fraction::Decompose()(exact_value(x), numerator, denominator);
-    std::ostringstream out;
-    out.imbue(std::locale::classic());
-    out << numerator;
-    if (denominator != 1)
-      out << '/' << denominator;
-    return out.str();
-  }
-
-  // False if the text is not a number.
-  static bool read(std::string_view text, FT& x)
-  {
-    const std::size_t bar = text.find('/');
-    const std::string_view above = text.substr(0, bar);
-    const std::string_view below = bar == text.npos ? "1" : text.substr(bar + 1);
-    const bool is_negative = !above.empty() && above.front() == '-';
-    if (!is_natural(above.substr(is_negative)) || !is_natural(below) || below == "0")
-      return false;
-    x = FT(typename Fraction::Compose()(integer<Numerator>(above), integer<Denominator>(below)));
-    return true;
-  }
-
-private:
-  // Rejects leading zeros, which would make some number types read octal digits.
-  static bool is_natural(std::string_view text)
-  {
-    return !text.empty() && (text.front() != '0' || text == "0") &&
-           std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
-  }
-
-  template <class Integer>
-  static Integer integer(std::string_view digits)
-  {
-    std::istringstream in{std::string(digits)};
-    in.imbue(std::locale::classic());
-    Integer result;
-    in >> result;
-    return result;
-  }
-};
-
-template <>
-class Checkpoint_coordinate_2<double>
-{
-public:
-  static constexpr const char* kind = "double";
-  static constexpr const char* meaning = "a finite number";
-
-  static double text(double x) { return x; }
-  static bool read(std::string_view text, double& x) { return read_finite(text, x); }
-};
 
 // What only checkpoints of the plane have: the kind of coordinates, the dimension, and the infinite
 // vertex.
@@ -192,11 +98,7 @@ public:
     : m_file(file)
     , m_kept(kept)
   {
-    const std::string_view kind = m_file.entry("coordinates");
-    if (kind != Coordinate::kind)
-      m_file.refuse("the coordinates are of the kind " + Checkpoint_input_2::quoted(kind) +
-                    ", and those of the triangulation's points of the kind " +
-                    Checkpoint_input_2::quoted(Coordinate::kind));
+    check_kind_of_coordinates<FT>(m_file);
     m_kept.positions_are_exact = m_file.flag_entry("positions", "exact", "rounded");
     if (State::coordinates_are_doubles && !m_kept.positions_are_exact)
       m_file.refuse("doubles are exact, and cannot be rounded");
@@ -220,8 +122,8 @@ public:
 
   Point read_point()
   {
-    FT x = read_coordinate("the first coordinate");
-    FT y = read_coordinate("the second coordinate");
+    FT x = read_coordinate<FT>(m_file, "the first coordinate", coordinate_limit);
+    FT y = read_coordinate<FT>(m_file, "the second coordinate", coordinate_limit);
     return Point(x, y);
   }
 
@@ -270,32 +172,15 @@ public:
   }
 
 private:
-  FT read_coordinate(const char* name)
-  {
-    const std::string_view text = m_file.word(name);
-    FT x;
-    if (!Coordinate::read(text, x) || !is_within_limit(CGAL::to_double(x)))
-      m_file.refuse(name, text, std::string(Coordinate::meaning) + ", not too large for a double");
-    return x;
-  }
-
   Position_2 read_position(const Point& p)
   {
     if constexpr (State::coordinates_are_doubles)
       return {p.x(), p.y()};
     else
-      return {read_rounded("the first coordinate as a double", p.x()),
-              read_rounded("the second coordinate as a double", p.y())};
-  }
-
-  double read_rounded(const char* name, const FT& x)
-  {
-    constexpr double error = 1e-3; // CGAL promises five correct digits
-    const double rounded = m_file.finite(name), value = CGAL::to_double(x);
-    const double most = error * std::abs(value) + (std::numeric_limits<double>::min)();
-    if (m_kept.positions_are_exact ? FT(rounded) != x : !(std::abs(rounded - value) <= most))
-      m_file.refuse(std::string(name) + " is something else than that");
-    return rounded;
+      return {read_rounded_coordinate(m_file, "the first coordinate as a double", p.x(),
+                                      m_kept.positions_are_exact),
+              read_rounded_coordinate(m_file, "the second coordinate as a double", p.y(),
+                                      m_kept.positions_are_exact)};
   }
 
   // Checks that the points are distinct and collinear.

@@ -236,6 +236,14 @@ public:
       }
   }
 
+  // Finds the free ids anew, where some that were reserved are not used. Allocates nothing if there
+  // is memory for them.
+  void find_free_ids()
+  {
+    m_free_ids.clear();
+    finish_numbering();
+  }
+
   // Frees a reserved id.
   void release(Point_id id)
   {

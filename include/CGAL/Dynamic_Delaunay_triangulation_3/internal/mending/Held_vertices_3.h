@@ -269,9 +269,9 @@ private:
   {
     // one that leaves its star need not try to follow
     const bool jumps = motion.residual > 4 * motion.size;
-    m_number[v] = Index(m_held.size());
     m_held.push_back({v, m_state.positions.place(v),
                       motion.has_neighbors ? Waits::CARRIED : Waits::AT_HOME, !jumps, false, 0});
+    m_number[v] = Index(m_held.size() - 1);
     move(v, Place(m_previous.position(v) + (motion.has_neighbors ? motion.mean : m_mean)));
   }
 
@@ -434,6 +434,10 @@ private:
     if (is_held(v) && m_held[m_number[v]].retreats >= retreats)
       return false;
     const Place from = m_state.positions.place(v);
+    if (!is_held(v)) { // before it moves: so an exception loses no position
+      m_held.push_back({v, from, Waits::AT_HOME, false, true, 0});
+      m_number[v] = Index(m_held.size() - 1);
+    }
     for (const double way : {1.0, 0.5, 0.25}) {
       const Place to(between(from.position, home(v).position, way));
       if (is_same(to.position, from.position))
@@ -442,10 +446,6 @@ private:
       find_star(arrays(), v, m_state.marks, m_star);
       if (!keep_what_is_inverted(m_star).empty())
         continue;
-      if (!is_held(v)) {
-        m_number[v] = Index(m_held.size());
-        m_held.push_back({v, from, Waits::AT_HOME, true, false, 0});
-      }
       Held& held = m_held[m_number[v]];
       held.is_waiting = true;
       held.has_arrived = false;

@@ -23,9 +23,10 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 template <class Point>
 struct Change_3
 {
-  bool is_frame = false;        // all points have new positions, which are staged
-  std::vector<Point_id> gone;   // distinct ids of points to remove, not in a frame
-  std::vector<Point_id> coming; // ids of points to insert, and their positions
+  bool is_frame = false;      // all points have new positions, which are staged
+  std::vector<Point_id> gone; // distinct ids of points to remove; in a frame only with `positions`
+  const std::vector<Point>* positions = nullptr; // by ids, checked, to be staged after that
+  std::vector<Point_id> coming;                  // ids of points to insert, and their positions
   std::vector<Point> coming_points;
   std::vector<Point_id> moved; // distinct ids of points that move alone, not in a frame
   std::vector<Point> moved_points;
@@ -53,7 +54,7 @@ public:
   // simulations.
   static constexpr std::size_t max_points = (std::size_t(1) << 27) - 1;
 
-  // Reads a frame.
+  // Reads a frame. Vertices that have lost their points stay where they are.
   template <class InputIterator, class PointMap>
   static void stage(InputIterator first, InputIterator beyond, const PointMap& point_map,
                     const State& state, Staged_positions_3<Point>& staged)
@@ -71,6 +72,12 @@ public:
       stage_in_any_order(points.begin(), points.end(), boost::typed_identity_property_map<Point>(),
                          state, staged);
     }
+  }
+
+  static void check_number(std::size_t points)
+  {
+    if (points > max_points)
+      throw Point_limit_error_2(points, max_points);
   }
 
   // Reads points to insert.
@@ -105,6 +112,10 @@ private:
     Parts::for_each(state.number_of_vertices(),
                     [&](std::size_t, std::size_t begin, std::size_t end) {
                       for (Vertex_index v(begin + 1); v <= end; ++v) {
+                        if (!ids.has_representative(v)) {
+                          staged.positions.set(v, state.positions.place(v));
+                          continue;
+                        }
                         auto&& value = first[Difference(ids.representative(v))];
                         const Point& p = get(point_map, value);
                         if (!stage(p, are_exact, [&](const Position_3& position) {

@@ -41,10 +41,45 @@ public:
   }
 
   Index number_of_vertices() const { return ids.number_of_representatives(); } // finite ones
+  // -1 without points, 0 if all coincide, 1 if they are on a line, 2 in a plane, else 3. After an
+  // exception, -1 or 0.
+  int dimension() const
+  {
+    if (spans_space)
+      return 3;
+    if (!flat_triangles.empty())
+      return 2;
+    return !flat_edges.empty() ? 1 : ids.number_of_points() > 0 ? 0 : -1;
+  }
   decltype(auto) point(Vertex_index v) const { return positions.point(v); }
   bool coincide(const Point& p, const Point& q) const
   {
     return p.x() == q.x() && p.y() == q.y() && p.z() == q.z();
+  }
+
+  // Gives up all cells. Points of the ids that are taken keep their places; the last vertices take
+  // the numbers of those that have no point. For use after an exception: allocates nothing, if
+  // there is memory for all free ids.
+  void drop_cells()
+  {
+    spans_space = false;
+    flat_edges.clear();
+    flat_triangles.clear();
+    arrays.clear_cells();
+    for (Vertex_index v(1); v <= ids.number_of_representatives();) {
+      const Vertex_index last(ids.number_of_representatives());
+      if (ids.has_representative(v)) {
+        ++v;
+        continue;
+      }
+      if (ids.has_representative(last)) {
+        positions.set(v, positions.place(last));
+        ids.move_points(last, v);
+      }
+      ids.resize(last - 1);
+    }
+    positions.resize(ids.number_of_representatives() + 1);
+    ids.find_free_ids();
   }
 
   Traits traits;

@@ -186,6 +186,17 @@ private:
       for (auto f = flat.finite_facets_begin(); f != flat.finite_facets_end(); ++f)
         m_state.flat_triangles.push_back({f->first->vertex(0)->info(), f->first->vertex(1)->info(),
                                           f->first->vertex(2)->info()});
+    sort_each(m_state.flat_edges);
+    sort_each(m_state.flat_triangles);
+  }
+
+  // So that the lists depend on the points alone, not on how CGAL came to them.
+  template <class Simplices>
+  static void sort_each(Simplices& simplices)
+  {
+    for (auto& simplex : simplices)
+      std::sort(simplex.begin(), simplex.end());
+    std::sort(simplices.begin(), simplices.end());
   }
 
   State& m_state;

@@ -31,6 +31,8 @@ public:
     Few<Corner_index, 4> mirrors;
   };
 
+  static constexpr std::size_t max_cells = (std::size_t(1) << 30) - 1;
+
   Index number_of_cells() const { return Index(m_cells.size()); }
   Index number_of_vertices() const { return Index(m_corners.size()); } // the infinite one included
 
@@ -115,6 +117,9 @@ public:
     for (int i = 0; i < 4; ++i)
       m_corners[v[i]] = corner(c, i);
   }
+
+  // Lets walks around its vertex begin at a corner.
+  void set_corner(Corner_index k) { m_corners[vertex(k)] = k; }
 
   // Makes two corners each other's mirror.
   void connect(Corner_index k, Corner_index l)
@@ -290,8 +295,6 @@ public:
   }
 
 private:
-  static constexpr std::size_t max_cells = (std::size_t(1) << 30) - 1;
-
   static Cell free_cell()
   {
     return {{null_index, null_index, null_index, null_index},

@@ -9,11 +9,14 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Held_vertices_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_pass_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Certificate_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Filtered_certificate_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Triangulation_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Waiting_points_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Whole_rebuild_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
+
+#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <utility>
@@ -57,11 +60,20 @@ public:
   // The positions of a frame, to be filled before run().
   Staged_positions_3<Point>& staged() { return m_other; }
 
+  // Proves the triangulation again. If that fails, the next call rebuilds.
+  bool certify()
+  {
+    m_is_certified = m_is_certified &&
+                     (m_state.spans_space ? Filtered_certificate_3<State>(m_state).holds(m_unproved)
+                                          : are_coplanar());
+    return m_is_certified;
+  }
+
   // What is wrong with the triangulation, or null.
   const char* problem() const
   {
     const Certificate_3<State> certificate(m_state);
-    if (!m_is_certified)
+    if (!m_is_certified && !m_state.spans_space)
       return "there are no cells: an exception has ended the last call";
     if (!m_state.spans_space)
       return are_coplanar() ? nullptr : "there are no cells, and the points are not coplanar";
@@ -70,9 +82,20 @@ public:
     return certificate.holds() ? nullptr : "it is not Delaunay";
   }
 
-  // After an exception, the points have their new positions, and the next call rebuilds.
+  // Reserves the memory in which a change removes points. If it throws, nothing has changed; after
+  // it, run() removes all points that go, or throws nothing.
+  void reserve(const Change_3<Point>& change)
+  {
+    m_state.ids.reserve_for_removals(change.gone.size() + change.coming.size());
+    m_state.ids.reserve_for_covered(change.coming.size() + change.moved.size());
+    m_waiting.reserve_for_removals(change.gone.size());
+  }
+
+  // If memory does not suffice to begin, nothing changes. If it runs out later, there are no cells,
+  // each point is where it was or where it belongs, and the next call rebuilds.
   Update_report_3 run(const Change_3<Point>& change)
   {
+    reserve(change);
     m_report = Update_report_3();
     m_flips.clear();
     m_held.forget();
@@ -81,9 +104,8 @@ public:
     try {
       run_phases(change, was_certified);
     } catch (...) {
-      m_state.spans_space = false;
-      m_state.flat_edges.clear();
-      m_state.flat_triangles.clear();
+      m_held.bring_to_targets();
+      m_state.drop_cells();
       throw;
     }
     m_report.flips += m_flips.number_of_flips();
@@ -94,13 +116,15 @@ public:
 private:
   void run_phases(const Change_3<Point>& change, bool was_certified)
   {
-    reserve(change);
     Reason reason = reason_not_to_mend(change, was_certified);
     if (!m_waiting.remove(change.gone, reason == Reason::NONE) ||
         !m_waiting.move(change, reason == Reason::NONE))
       reason = Reason::STUCK;
     m_report.removed = change.gone.size();
     m_report.inserted = change.coming.size();
+    if (change.positions != nullptr)
+      stage(*change.positions);
+    m_state.ids.reserve(change.coming);
     if (change.is_frame)
       exchange_positions();
     if (reason == Reason::NONE)
@@ -111,14 +135,6 @@ private:
     m_rebuild.run(change, reason == Reason::POPULATION || reason == Reason::DIMENSION);
     m_report.rebuild_reason = reason;
     m_report.merged = m_report.parted = 0;
-  }
-
-  // Memory for all that changes ids, so that what follows can throw without losing one.
-  void reserve(const Change_3<Point>& change)
-  {
-    m_state.ids.reserve_for_removals(change.gone.size());
-    m_state.ids.reserve_for_covered(change.coming.size() + change.moved.size());
-    m_state.ids.reserve(change.coming);
   }
 
   // Removing a point costs some ten insertions.
@@ -135,6 +151,15 @@ private:
   }
 
   // MOTION ----------------------------------------------------------------------------------------
+
+  // Stages a frame in which points have gone, now that the others have their numbers. What is left
+  // of the cells fills the gaps, as a pass expects it.
+  void stage(const std::vector<Point>& positions)
+  {
+    m_state.arrays.close_gaps();
+    Input_3<State>::stage(positions.begin(), positions.end(),
+                          boost::typed_identity_property_map<Point>(), m_state, m_other);
+  }
 
   void exchange_positions()
   {

@@ -44,16 +44,18 @@ public:
     m_without_cells.clear();
   }
 
-  // Removes points, also from the cells if these are to be mended. False if that has failed.
+  // Reserves memory, so that remove() throws nothing before all points are removed.
+  void reserve_for_removals(std::size_t number) { m_without_cells.reserve(number); }
+
+  // Removes points, then their vertices from the cells if these are to be mended. False if that has
+  // failed.
   bool remove(const std::vector<Point_id>& gone, bool is_mending)
   {
-    bool is_right = true;
     for (const Point_id id : gone)
-      if (const Vertex_index v = remove_point(id); v != null_index) {
+      if (const Vertex_index v = remove_point(id); v != null_index)
         m_without_cells.push_back(v);
-        is_right = is_right && (!is_mending || take_out(v));
-      }
-    return is_right;
+    return !is_mending || std::all_of(m_without_cells.begin(), m_without_cells.end(),
+                                      [this](Vertex_index v) { return take_out(v); });
   }
 
   // Moves points alone: they are taken out, and wait to be inserted.
@@ -227,10 +229,10 @@ private:
   {
     const Vertex_index v(m_state.positions.number());
     m_state.ids.reserve_for_vertices(1);
-    m_state.ids.append_vertex();
     m_state.positions.resize(v + 1);
     m_previous.resize(v + 1);
     m_state.arrays.resize_vertices(v + 1);
+    m_state.ids.append_vertex(); // throws nothing
     m_state.positions.set(v, pending.place);
     m_state.positions_are_exact =
         m_state.positions_are_exact && has_exact_position(pending.place.point());

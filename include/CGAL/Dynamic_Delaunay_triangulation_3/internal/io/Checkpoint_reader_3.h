@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_IO_CHECKPOINT_READER_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_IO_CHECKPOINT_READER_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_coordinate_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Cell_links_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Certificate_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Filtered_certificate_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Static_triangulator_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Tetrahedra_arrays_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Reads what a writer has written into the state of an empty triangulation, which can only be
+// discarded if this throws. Checks everything: each number, that cells fit together, and that they
+// are Delaunay.
+template <class State>
+class Checkpoint_reader_3
+{
+  using Point = typename State::Point;
+  using FT = std::decay_t<decltype(std::declval<const Point&>().x())>;
+  using Checkpoint_input_2 = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2;
+
+public:
+  Checkpoint_reader_3(State& state, Checkpoint_input_2& file)
+    : m_state(state)
+    , m_file(file)
+  {
+  }
+
+  void read()
+  {
+    Dynamic_Delaunay_triangulations_2::internal::check_kind_of_coordinates<FT>(m_file);
+    m_state.positions_are_exact = m_file.flag_entry("positions", "exact", "rounded");
+    if (is_three_doubles<Point> && !m_state.positions_are_exact)
+      m_file.refuse("doubles are exact, and cannot be rounded");
+    m_dimension = m_file.number_entry("dimension", -1, 3);
+    m_state.spans_space = m_dimension == 3;
+    read_points();
+    if (m_state.spans_space)
+      read_cells();
+    else
+      triangulate_plane();
+  }
+
+  // POINTS ----------------------------------------------------------------------------------------
+
+  Index fewest_vertices() const { return Index(m_dimension + 1); }
+  static Index most_vertices() { return Index(Input_3<State>::max_points); }
+
+  void read_vertex()
+  {
+    m_points.push_back(read_point());
+    m_places.push_back(Place(read_position(m_points.back()), m_points.back()));
+  }
+
+  Point read_point()
+  {
+    const FT x = read_coordinate("the first coordinate");
+    const FT y = read_coordinate("the second coordinate");
+    return Point(x, y, read_coordinate("the third coordinate"));
+  }
+
+  bool coincide(const Point& p, const Point& q) const { return m_state.coincide(p, q); }
+
+private:
+  using Place = typename State::Place;
+
+  FT read_coordinate(const char* name)
+  {
+    using Dynamic_Delaunay_triangulations_2::internal::read_coordinate;
+    return read_coordinate<FT>(m_file, name, coordinate_limit);
+  }
+
+  Position_3 read_position(const Point& p)
+  {
+    if constexpr (is_three_doubles<Point>)
+      return approximation(p);
+    else
+      return {read_rounded("the first coordinate as a double", p.x()),
+              read_rounded("the second coordinate as a double", p.y()),
+              read_rounded("the third coordinate as a double", p.z())};
+  }
+  double read_rounded(const char* name, const FT& x)
+  {
+    using Dynamic_Delaunay_triangulations_2::internal::read_rounded_coordinate;
+    return read_rounded_coordinate(m_file, name, x, m_state.positions_are_exact);
+  }
+
+  void read_points()
+  {
+    Dynamic_Delaunay_triangulations_2::internal::Checkpoint_points_reader_2(m_file, *this, m_points,
+                                                                            m_state.ids)
+        .read();
+    if (m_state.ids.number_of_points() > Input_3<State>::max_points)
+      m_file.refuse("there are more points than 32 bits allow, above");
+    m_state.positions.resize(m_state.number_of_vertices() + 1);
+    for (std::size_t i = 0; i < m_places.size(); ++i)
+      m_state.positions.set(Vertex_index(i + 1), m_places[i]);
+  }
+
+  // What there is without cells depends on the points alone.
+  void triangulate_plane()
+  {
+    std::vector<std::pair<Vertex_index, Vertex_index>> covered;
+    Static_triangulator_3<State>(m_state).triangulate(covered);
+    if (!covered.empty())
+      m_file.refuse("two vertices are in the same place, above");
+    if (m_state.dimension() != m_dimension)
+      m_file.refuse("the points above have the dimension " + std::to_string(m_state.dimension()));
+  }
+
+  // CELLS -----------------------------------------------------------------------------------------
+
+  void read_cells()
+  {
+    read_origin();
+    m_state.arrays.reset(m_state.number_of_vertices() + 1);
+    const Index number =
+        m_file.number_entry("cells", Index(5), Index(Tetrahedra_arrays_3::max_cells));
+    const std::size_t line = m_file.line();
+    for (Index i = 0; i < number; ++i)
+      read_cell();
+    const Cell_index unlinked = Cell_links_3(m_state.arrays).link();
+    if (unlinked != null_index)
+      m_file.refuse(line + 1 + unlinked, "not exactly two cells have one of the facets");
+    read_corners();
+    if (!Certificate_3<State>(m_state).is_combinatorially_valid())
+      m_file.refuse(line, "the cells do not fit together");
+    Unproved_cells_3 unproved;
+    if (!Filtered_certificate_3<State>(m_state).holds(unproved))
+      m_file.refuse(line, "the cells are not a Delaunay triangulation");
+  }
+
+  void read_origin()
+  {
+    m_file.begin_entry("origin");
+    const std::string_view word = m_file.word("the origin");
+    m_state.has_origin = word != "none";
+    if (m_state.has_origin) {
+      using Dynamic_Delaunay_triangulations_2::internal::read_finite;
+      if (!read_finite(word, m_state.origin.x))
+        m_file.refuse("the origin", word, "none or a finite number");
+      m_state.origin.y = m_file.finite("the origin");
+      m_state.origin.z = m_file.finite("the origin");
+    }
+    m_file.end_line();
+  }
+
+  void read_cell()
+  {
+    m_file.next_line();
+    Vertices_3 v;
+    for (Vertex_index& vertex : v)
+      vertex = Vertex_index(m_file.number("the vertex", Index(0), m_state.number_of_vertices()));
+    m_file.end_line();
+    for (int i = 0; i < 4; ++i)
+      if (std::count(v.begin(), v.end(), v[i]) > 1)
+        m_file.refuse("the cell has a vertex twice");
+    m_state.arrays.set_vertices(m_state.arrays.make_cell(), v);
+  }
+
+  // Each vertex has to have a cell, so it is enough that its corner is one of it.
+  void read_corners()
+  {
+    Tetrahedra_arrays_3& arrays = m_state.arrays;
+    const Index number = arrays.number_of_vertices();
+    m_file.number_entry("corners", number, number);
+    for (Vertex_index v(0); v < number; ++v) {
+      m_file.next_line();
+      const Corner_index k(m_file.number("the corner", Index(0), 4 * arrays.number_of_cells() - 1));
+      m_file.end_line();
+      if (arrays.vertex(k) != v)
+        m_file.refuse("this is no corner of vertex " + std::to_string(v));
+      arrays.set_corner(k);
+    }
+  }
+
+  State& m_state;
+  Checkpoint_input_2& m_file;
+  int m_dimension = -1;
+  std::vector<Point> m_points; // of vertices, from the first one on
+  std::vector<Place> m_places; // of the same
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_IO_CHECKPOINT_READER_3_H

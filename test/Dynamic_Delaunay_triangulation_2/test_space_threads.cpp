@@ -1,0 +1,153 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Threads change nothing but the time: in space, too, checkpoints, which have every number, and
+// reports are the same.
+
+#define CGAL_DYNAMIC_DELAUNAY_POINTS_OF_PART 64
+
+#include "sealed_checkpoint.h"
+#include "space_oracle.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_population_3.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace {
+
+// Calls `f` with four threads, which may be more than the machine has.
+template <class Function>
+void with_threads(const Function& f)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 8);
+  tbb::task_arena(4).execute(f);
+}
+
+auto all_of(const CGAL::Update_report_3& r)
+{
+  return std::tie(r.unproved, r.flips, r.held, r.relocated, r.inserted, r.removed, r.merged,
+                  r.parted, r.rebuild_reason, r.certified);
+}
+
+template <class Kernel>
+class Threads_in_space : public testing::Test
+{
+protected:
+  using Point = typename Kernel::Point_3;
+  using Points = std::vector<Point>;
+  using Sequential = CGAL::Dynamic_Delaunay_triangulation_3<Kernel>;
+  using Parallel = CGAL::Dynamic_Delaunay_triangulation_3<Kernel, CGAL::Parallel_tag>;
+
+  Points random_points(std::size_t number)
+  {
+    std::uniform_real_distribution<double> coordinate(0, 1);
+    Points points;
+    for (std::size_t i = 0; i < number; ++i) {
+      const double x = coordinate(m_random), y = coordinate(m_random);
+      points.emplace_back(x, y, coordinate(m_random));
+    }
+    return points;
+  }
+
+  Point shaken(const Point& p, double step)
+  {
+    std::normal_distribution<double> normal(0, step);
+    const double x = CGAL::to_double(p.x()) + normal(m_random);
+    const double y = CGAL::to_double(p.y()) + normal(m_random);
+    return Point(x, y, CGAL::to_double(p.z()) + normal(m_random));
+  }
+
+  std::mt19937_64 m_random{1};
+};
+
+using Kernels = testing::Types<CGAL::Epick, CGAL::Epeck>;
+TYPED_TEST_SUITE(Threads_in_space, Kernels);
+
+TYPED_TEST(Threads_in_space, change_nothing_but_the_time)
+{
+  auto points = this->random_points(700);
+  points[5] = points[600];
+  typename TestFixture::Sequential alone(points);
+  typename TestFixture::Parallel together;
+  with_threads([&] { together.insert(points.begin(), points.end()); });
+  for (const double step : {1e-6, 1e-3, 0.004, 0.01, 0.1, 1e-3}) {
+    for (auto& p : points)
+      p = this->shaken(p, step);
+    const CGAL::Update_report_3 report = alone.update(points);
+    CGAL::Update_report_3 other;
+    with_threads([&] { other = together.update(points); });
+    ASSERT_EQ(all_of(report), all_of(other));
+    ASSERT_EQ(checkpoint_of(alone), checkpoint_of(together));
+    with_threads([&] { EXPECT_TRUE(together.certify()); });
+  }
+}
+
+TYPED_TEST(Threads_in_space, change_nothing_in_populations)
+{
+  using Point = typename TestFixture::Point;
+  CGAL::Dynamic_population_3<typename TestFixture::Sequential> alone;
+  CGAL::Dynamic_population_3<typename TestFixture::Parallel> together;
+  std::map<std::int64_t, Point> crowd;
+  std::int64_t next = 0;
+  for (const Point& p : this->random_points(500))
+    crowd[next++] = p;
+  for (int frame = 0; frame < 5; ++frame) {
+    for (auto& [id, p] : crowd)
+      p = this->shaken(p, 0.002);
+    for (const Point& p : this->random_points(4)) {
+      crowd.erase(crowd.begin());
+      crowd[next++] = p;
+    }
+    const CGAL::Update_report_3 report = alone.update(crowd);
+    CGAL::Update_report_3 other;
+    with_threads([&] { other = together.update(crowd); });
+    ASSERT_EQ(all_of(report), all_of(other));
+    ASSERT_EQ(checkpoint_of(alone), checkpoint_of(together));
+  }
+}
+
+TYPED_TEST(Threads_in_space, throw_the_same)
+{
+  auto points = this->random_points(700);
+  typename TestFixture::Parallel together(points);
+  const std::string before = checkpoint_of(together);
+  points[300] = points[650] = typename TestFixture::Point(
+      typename TypeParam::FT(1e300) * typename TypeParam::FT(1e300), 0, 0);
+  with_threads([&] {
+    try {
+      together.update(points);
+      FAIL() << "nothing is thrown";
+    } catch (const CGAL::Non_finite_coordinate_error_3& error) {
+      EXPECT_EQ(error.id(), 300u);
+    }
+  });
+  EXPECT_EQ(checkpoint_of(together), before);
+}
+
+} // namespace
+
+#else
+
+TEST(Threads_in_space, need_TBB)
+{
+  GTEST_SKIP();
+}
+
+#endif
