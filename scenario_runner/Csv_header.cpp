@@ -56,11 +56,11 @@ private:
 const std::vector<Csv_dialect>& dialects()
 {
   static const std::vector<Csv_dialect> all = {
-      {{"frame", "time", "id", "x", "y"}},
-      {{"frame", "time", "particle", "x", "y"}},
-      {{"frame", "position_t", "track_id", "position_x", "position_y"}, 3},
-      {{"", "t", "tid", "x", "y"}},
-      {{"", "simsec", "$pedestrian:no", "coordcentx", "coordcenty"}}};
+      {{"frame", "time", "id", "x", "y", "z"}},
+      {{"frame", "time", "particle", "x", "y", "z"}},
+      {{"frame", "position_t", "track_id", "position_x", "position_y", "position_z"}, 3},
+      {{"", "t", "tid", "x", "y", "z"}},
+      {{"", "simsec", "$pedestrian:no", "coordcentx", "coordcenty", "coordcentz"}}};
   return all;
 }
 
@@ -125,7 +125,7 @@ Csv_layout Csv_header::layout() const
   }
   check_given_titles();
   Csv_layout layout{m_split.separator, m_split.titles.size()};
-  for (const Csv_column column : {frame, time, id, x, y}) {
+  for (const Csv_column column : {frame, time, id, x, y, z}) {
     layout.positions[column] = position_of(column);
   }
   if (!m_split.is_complete) {
@@ -320,7 +320,7 @@ std::optional<Csv_layout> layout_of_jupedsim(std::string_view row)
     return std::nullopt;
   }
   Csv_layout layout{Separator::blanks, fields.size()};
-  layout.positions = {1, Csv_layout::none, 0, 2, 3};
+  layout.positions = {1, Csv_layout::none, 0, 2, 3, Csv_layout::none};
   return layout;
 }
 

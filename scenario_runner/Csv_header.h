@@ -16,8 +16,8 @@
 
 namespace scenario {
 
-enum Csv_column : std::size_t { frame, time, id, x, y };
-constexpr std::array<std::string_view, 5> csv_column_names = {"frame", "time", "id", "x", "y"};
+enum Csv_column : std::size_t { frame, time, id, x, y, z };
+constexpr std::array<std::string_view, 6> csv_column_names = {"frame", "time", "id", "x", "y", "z"};
 
 // How the rows of a table are split, and where the columns are in a row.
 struct Csv_layout
@@ -26,7 +26,7 @@ struct Csv_layout
 
   Separator separator = Separator::comma;
   std::size_t number_of_fields = 0;
-  std::array<std::size_t, csv_column_names.size()> positions = {none, none, none, none, none};
+  std::array<std::size_t, csv_column_names.size()> positions = {none, none, none, none, none, none};
   std::size_t more_header_lines = 0;   // at most so many lines without numbers follow the header
   std::vector<std::size_t> constant{}; // where all rows have to have the same text
 

@@ -83,7 +83,10 @@ private:
       skip_row_names(row);
       return row;
     }
-    take(layout_by_comments(first));
+    Csv_layout layout = layout_by_comments(first);
+    layout.positions[Csv_column::z] =
+        Csv_layout::none; // the heights of people, who walk on a floor
+    take(layout);
     return first;
   }
 
@@ -229,8 +232,9 @@ private:
     const std::int64_t id = point_id();
     const double time =
         m_layout.has(Csv_column::time) ? number(Csv_column::time, id) : static_cast<double>(frame);
+    const double height = m_layout.has(Csv_column::z) ? height_in(field(Csv_column::z)) : 0.0;
     m_rows.add({frame, id, time, Point{number(Csv_column::x, id), number(Csv_column::y, id)},
-                m_scanner.line_number()});
+                height, m_scanner.line_number()});
   }
 
   void check_constant_fields()

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace scenario {
@@ -14,6 +15,14 @@ namespace {
 const char* kind_name(const std::optional<Cell>& cell)
 {
   return !cell ? "open" : cell->is_slab() ? "periodic in one direction" : "periodic in x and y";
+}
+
+// Most recordings are in the plane.
+void drop_zeros(std::vector<double>& heights)
+{
+  if (std::all_of(heights.begin(), heights.end(), [](double z) { return z == 0.0; })) {
+    heights = {};
+  }
 }
 
 } // namespace
@@ -50,9 +59,9 @@ void Frame_rows::begin(std::size_t size, const Text_scanner& scanner)
   m_rows.reserve((std::min)(size, scanner.bytes_left() / 2));
 }
 
-void Frame_rows::add(std::int64_t id, const Point& point, std::size_t line)
+void Frame_rows::add(std::int64_t id, const Point& point, double height, std::size_t line)
 {
-  m_rows.push_back({id, point, line});
+  m_rows.push_back({id, point, height, line});
 }
 
 void Frame_rows::sort_into(Recorded_frame& frame, const Text_scanner& scanner,
@@ -71,7 +80,9 @@ void Frame_rows::sort_into(Recorded_frame& frame, const Text_scanner& scanner,
     }
     frame.ids.push_back(row.id);
     frame.points.push_back(row.point);
+    frame.heights.push_back(row.height);
   }
+  drop_zeros(frame.heights);
 }
 
 void Recording_rows::number_frames_by_time()
@@ -109,7 +120,9 @@ Recording Recording_rows::recording(const Text_scanner& scanner,
     for (; row != end; ++row) {
       frame.ids.push_back(row->id);
       frame.points.push_back(row->point);
+      frame.heights.push_back(row->height);
     }
+    drop_zeros(frame.heights);
   }
   m_rows.clear();
   return frames;
@@ -138,6 +151,13 @@ std::size_t number_of(const Text_scanner& scanner, std::string_view text, const 
     scanner.fail("number of " + what + " " + std::to_string(number) + " is negative");
   }
   return static_cast<std::size_t>(number);
+}
+
+double height_in(std::string_view text)
+{
+  double value{};
+  return is_number(text, value) && std::isfinite(value) ? value
+                                                        : std::numeric_limits<double>::quiet_NaN();
 }
 
 double finite_number(const Text_scanner& scanner, std::string_view text, std::string_view what)

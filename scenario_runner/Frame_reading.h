@@ -41,7 +41,8 @@ class Frame_rows
 public:
   // Forgets all points, and takes memory for as many as a file can hold that claims `size`.
   void begin(std::size_t size, const Text_scanner& scanner);
-  void add(std::int64_t id, const Point& point, std::size_t line);
+  // `height`: its third coordinate.
+  void add(std::int64_t id, const Point& point, double height, std::size_t line);
 
   std::size_t size() const { return m_rows.size(); }
 
@@ -54,6 +55,7 @@ private:
   {
     std::int64_t id;
     Point point;
+    double height;
     std::size_t line;
   };
 
@@ -70,6 +72,7 @@ public:
     std::int64_t id;
     double time;
     Point point;
+    double height; // its third coordinate
     std::size_t line;
   };
 
@@ -102,6 +105,10 @@ private:
 // \throws Scenario_error, with the scanner's line, if the text is no integer from 0 on. `what` is
 // counted.
 std::size_t number_of(const Text_scanner& scanner, std::string_view text, const std::string& what);
+
+// The third coordinate that a text stands for; NaN if it is no finite number, as what a motion in
+// the plane has there does not matter.
+double height_in(std::string_view text);
 
 // \throws Scenario_error, with the scanner's line, if the text is no finite number.
 double finite_number(const Text_scanner& scanner, std::string_view text, std::string_view what);

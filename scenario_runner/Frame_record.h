@@ -24,17 +24,22 @@ struct Frame_times
   double static_fastest = 0.0;
 };
 
-struct Frame_record
+// What is told of a frame in the plane and in space.
+struct Frame_facts
 {
   std::size_t frame = 0;   // how many came before it
   std::int64_t number = 0; // that the motion's recording has for it, or else the same
   double time = 0.0;       // of the motion
   std::size_t points = 0;
   bool population_changed = false;
-  CGAL::Update_report_2 update{};
   bool certified = false;
-  double validity = 1.0;
   Frame_times nanoseconds{};
+};
+
+struct Frame_record : Frame_facts
+{
+  CGAL::Update_report_2 update{};
+  double validity = 1.0;
 };
 
 // The sets of thesis 4.1.3, by the numbers that files have for them.

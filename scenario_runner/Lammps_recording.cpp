@@ -42,15 +42,19 @@ public:
   }
 
 private:
-  struct Coordinate_pair
+  struct Coordinate_names
   {
     std::string_view x;
     std::string_view y;
+    std::string_view z; // which need not be there
     bool scaled;
   };
 
-  static constexpr std::array<Coordinate_pair, 4> coordinate_pairs = {
-      {{"x", "y", false}, {"xu", "yu", false}, {"xs", "ys", true}, {"xsu", "ysu", true}}};
+  static constexpr std::array<Coordinate_names, 4> coordinate_names = {
+      {{"x", "y", "z", false},
+       {"xu", "yu", "zu", false},
+       {"xs", "ys", "zs", true},
+       {"xsu", "ysu", "zsu", true}}};
 
   struct Columns
   {
@@ -58,6 +62,7 @@ private:
     std::size_t id;
     std::size_t x;
     std::size_t y;
+    std::optional<std::size_t> z;
     bool scaled;
   };
 
@@ -103,6 +108,7 @@ private:
     m_number_of_atoms.reset();
     m_box.reset();
     m_cell.reset();
+    m_is_periodic_in_z = false;
   }
 
   void read_box(std::string_view header)
@@ -120,6 +126,7 @@ private:
     m_box.emplace(has_vectors ? read_vectors({is_periodic(0), is_periodic(1)})
                               : read_bounds(is_tilted, {is_periodic(0), is_periodic(1)}));
     m_cell = cell_of_box(m_scanner, *m_box);
+    m_is_periodic_in_z = is_periodic(2);
   }
 
   // Dumps of LAMMPS before 2010 have no boundaries. The box was periodic then, unless the input of
@@ -169,6 +176,8 @@ private:
       }
     }
     m_leans_along_z = bounds.tilt[1] != 0.0 || bounds.tilt[2] != 0.0;
+    m_bottom = bounds.low[2];
+    m_heights_of_sides = {0.0, 0.0, bounds.high[2] - bounds.low[2]};
     const Cell box = cell_of_bounds(bounds, is_periodic);
     if ((is_periodic[0] && !(box.sides[0].x > 0.0)) ||
         (is_periodic[1] && !(box.sides[1].y > 0.0))) {
@@ -188,6 +197,8 @@ private:
       }
     }
     m_leans_along_z = rows[2][0] != 0.0 || rows[2][1] != 0.0;
+    m_bottom = rows[2][3];
+    m_heights_of_sides = {rows[0][2], rows[1][2], rows[2][2]};
     return {{rows[0][3], rows[1][3]},
             {{{rows[0][0], rows[0][1]}, {rows[1][0], rows[1][1]}}},
             is_periodic};
@@ -212,6 +223,7 @@ private:
     frame.number = m_timestep;
     frame.time = m_time.value_or(static_cast<double>(m_timestep));
     frame.cell = m_cell;
+    frame.is_periodic_in_z = m_is_periodic_in_z;
     check_kind(m_scanner, m_cell, frames);
     m_rows.begin(*m_number_of_atoms, m_scanner);
     for (std::size_t i = 0; i != *m_number_of_atoms; ++i) {
@@ -235,10 +247,15 @@ private:
     if (position("id") == missing) {
       m_scanner.fail("column 'id' is missing");
     }
-    for (const Coordinate_pair& pair : coordinate_pairs) {
-      if (position(pair.x) != missing && position(pair.y) != missing) {
-        check_scaling(pair.scaled);
-        return {names.size(), position("id"), position(pair.x), position(pair.y), pair.scaled};
+    for (const auto& [x, y, z, scaled] : coordinate_names) {
+      if (position(x) != missing && position(y) != missing) {
+        check_scaling(scaled);
+        return {names.size(),
+                position("id"),
+                position(x),
+                position(y),
+                position(z) == missing ? std::nullopt : std::optional(position(z)),
+                scaled};
       }
     }
     m_scanner.fail("column '" + std::string(position("x") == missing ? "x" : "y") +
@@ -280,11 +297,13 @@ private:
     const std::int64_t id = m_scanner.integer(m_fields[columns.id], "id");
     Point point{m_scanner.coordinate(m_fields[columns.x], "x", std::to_string(id)),
                 m_scanner.coordinate(m_fields[columns.y], "y", std::to_string(id))};
+    double height = columns.z ? height_in(m_fields[*columns.z]) : 0.0;
     if (columns.scaled) {
+      height = columns.z ? unscaled_height(point, height) : 0.0;
       point = unscaled(point);
       check_finite(point, id);
     }
-    m_rows.add(id, point, m_scanner.line_number());
+    m_rows.add(id, point, height, m_scanner.line_number());
   }
 
   void check_finite(const Point& point, std::int64_t id) const
@@ -300,6 +319,12 @@ private:
     const auto& [a, b] = m_box->sides;
     return {m_box->corner.x + fractions.x * a.x + fractions.y * b.x,
             m_box->corner.y + fractions.x * a.y + fractions.y * b.y};
+  }
+
+  double unscaled_height(const Point& fractions, double fraction) const
+  {
+    const auto& [a, b, c] = m_heights_of_sides;
+    return m_bottom + fractions.x * a + fractions.y * b + fraction * c;
   }
 
   [[noreturn]] void fail_truncated(const std::string& how) const
@@ -332,6 +357,9 @@ private:
   std::optional<Cell> m_box;  // periodic or not
   std::optional<Cell> m_cell; // if it is
   bool m_leans_along_z = false;
+  double m_bottom = 0.0; // of the box, and how far its sides rise
+  std::array<double, 3> m_heights_of_sides{};
+  bool m_is_periodic_in_z = false;
   bool m_frame_is_open = false;
 };
 

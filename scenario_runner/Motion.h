@@ -18,23 +18,23 @@ namespace scenario {
 // Edges of the maintained triangulation, as pairs of positions in Motion::points().
 using Neighbor_edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-// Points that move from frame to frame. A new motion shows its first frame.
-class Motion
+// What motions in the plane and in space have in common: frames of points with ids. A new motion
+// shows its first frame.
+class Any_motion
 {
 public:
-  explicit Motion(std::string name)
+  explicit Any_motion(std::string name)
     : m_name(std::move(name))
   {
   }
-  Motion(const Motion&) = delete;
-  Motion& operator=(const Motion&) = delete;
-  virtual ~Motion() = default;
+  Any_motion(const Any_motion&) = delete;
+  Any_motion& operator=(const Any_motion&) = delete;
+  virtual ~Any_motion() = default;
 
   const std::string& name() const { return m_name; }
 
-  // Ids in ascending order, and the points in the same order.
+  // In ascending order.
   virtual const std::vector<std::int64_t>& ids() const = 0;
-  virtual const std::vector<Point>& points() const = 0;
   virtual double time() const = 0;
 
   // The number that a recording has for the frame. Numbers ascend; without them frames are counted
@@ -51,10 +51,6 @@ public:
     const std::int64_t id = ids()[place];
     return names() ? (*names())[static_cast<std::size_t>(id)] : std::to_string(id);
   }
-
-  // The cell of the frame; none where space is not periodic. Either all frames have a cell of one
-  // kind, or none has one. Points need not lie in it: each stands for all its images.
-  virtual std::optional<Cell> cell() const { return std::nullopt; }
 
   // Goes to the next frame. False, and nothing changes, when there is none.
   virtual bool advance(const Neighbor_edges& neighbors) = 0;
@@ -78,6 +74,20 @@ public:
 
 private:
   std::string m_name;
+};
+
+// Points that move in the plane.
+class Motion : public Any_motion
+{
+public:
+  using Any_motion::Any_motion;
+
+  // In the order of ids().
+  virtual const std::vector<Point>& points() const = 0;
+
+  // The cell of the frame; none where space is not periodic. Either all frames have a cell of one
+  // kind, or none has one. Points need not lie in it: each stands for all its images.
+  virtual std::optional<Cell> cell() const { return std::nullopt; }
 };
 
 } // namespace scenario

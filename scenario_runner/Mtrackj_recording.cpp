@@ -101,6 +101,7 @@ private:
                 static_cast<double>(*frame),
                 {m_scanner.coordinate(m_fields[2], "x", name),
                  m_scanner.coordinate(m_fields[3], "y", name)},
+                0.0, // z counts slices
                 m_scanner.line_number()});
   }
 

@@ -4,6 +4,8 @@
 #include "scenario_runner/Open_motion.h"
 
 #include "scenario_runner/Number_text.h"
+#include "scenario_runner/space/Scenario_file_3.h"
+#include "scenario_runner/space/Simulated_motion_3.h"
 #include "scenario_runner/Text_input.h"
 
 #include <algorithm>
@@ -59,6 +61,61 @@ std::unique_ptr<Motion> open_scenario(const std::string& path, const Overrides& 
     throw Scenario_error(path, "has no packing that could be chosen, it is a random cloud");
   }
   return make_motion(description, std::get<Brownian_description>(description.kind), overrides);
+}
+
+bool is_scenario_file_in_space(const std::string& path)
+{
+  return is_scenario_file(path) && is_scenario_in_space(path, read_text_file(path));
+}
+
+std::unique_ptr<Motion_3> open_scenario_3(const std::string& path, const Overrides& overrides)
+{
+  const Scenario_description_3 description = parse_scenario_3(path, read_text_file(path));
+  check_overrides(path, overrides);
+  if (overrides.packing) {
+    throw Scenario_error(path, "is in space, where no packing can be chosen");
+  }
+  const std::uint64_t seed = overrides.seed.value_or(description.seed);
+  if (const auto* brownian = std::get_if<Brownian_description_3>(&description.kind)) {
+    Brownian_description_3 changed = *brownian;
+    changed.points = overrides.points.value_or(changed.points);
+    changed.time_step = overrides.time_step.value_or(changed.time_step);
+    return std::make_unique<Brownian_motion_3>(description, changed, seed);
+  }
+  Particle_description_3 particles = std::get<Particle_description_3>(description.kind);
+  const std::size_t points = overrides.points.value_or(particles.number_of_points());
+  particles = scaled_to(particles, points);
+  particles.time_step = overrides.time_step.value_or(particles.time_step);
+  return std::make_unique<Particle_motion_3>(description, particles, points, seed);
+}
+
+void check_dimension(const std::string& path, int dimension, const std::optional<int>& wanted)
+{
+  if (wanted.value_or(dimension) != dimension) {
+    throw Scenario_error(path, std::string("is a scenario in ") +
+                                   (dimension == 3 ? "space" : "the plane") +
+                                   ": its dimension cannot be chosen");
+  }
+}
+
+// The names of the scenario files in a directory.
+std::vector<std::string> scenarios_in(const std::filesystem::path& directory)
+{
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& file : std::filesystem::directory_iterator(directory, ignored)) {
+    if (file.path().extension() == ".json") {
+      names.push_back(file.path().stem().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+const std::filesystem::path& space_folder()
+{
+  static const std::filesystem::path folder = std::filesystem::path(SCENARIOS_DIR) / "space";
+  return folder;
 }
 
 // A file need not have a known extension, but if it is not even there, its name may be the mistake.
@@ -118,10 +175,35 @@ std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& ov
   return open_scenario(path, overrides);
 }
 
+Opened_motion open_any_motion(const std::string& path, const Overrides& overrides,
+                              const Table_columns& columns, std::optional<int> dimension)
+{
+  if (is_scenario_file(path)) {
+    const bool is_in_space = is_scenario_file_in_space(path);
+    check_dimension(path, is_in_space ? 3 : 2, dimension);
+    if (is_in_space && columns.empty()) {
+      return {nullptr, open_scenario_3(path, overrides)};
+    }
+    return {open_motion(path, overrides, columns), nullptr};
+  }
+  check_name(path);
+  refuse_overrides(path, overrides);
+  Recording recording = read_recording(path, columns);
+  if (dimension ? *dimension == 3 : is_in_space(recording)) {
+    return {nullptr,
+            std::make_unique<Recorded_motion_3>(is_standard_input(path) ? "standard input" : path,
+                                                recording_name(path), std::move(recording))};
+  }
+  return {std::make_unique<Recorded_motion>(recording_name(path), std::move(recording)), nullptr};
+}
+
 Scenario_facts scenario_facts(const std::string& path, const std::optional<std::size_t>& points)
 {
   if (!is_scenario_file(path)) {
     return {};
+  }
+  if (is_scenario_file_in_space(path)) {
+    return {parse_scenario_3(path, read_text_file(path)).seed};
   }
   const Scenario_description description = read_scenario_file(path);
   if (const auto* particles = std::get_if<Particle_description>(&description.kind)) {
@@ -134,15 +216,12 @@ Scenario_facts scenario_facts(const std::string& path, const std::optional<std::
 
 std::vector<std::string> known_scenarios()
 {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& file : std::filesystem::directory_iterator(SCENARIOS_DIR, ignored)) {
-    if (file.path().extension() == ".json") {
-      names.push_back(file.path().stem().string());
-    }
-  }
-  std::sort(names.begin(), names.end());
-  return names;
+  return scenarios_in(SCENARIOS_DIR);
+}
+
+std::vector<std::string> known_scenarios_3()
+{
+  return scenarios_in(space_folder());
 }
 
 std::string scenario_file(const std::string& name)
@@ -163,9 +242,13 @@ std::string scenario_path(const std::string& name)
   if (std::find(names.begin(), names.end(), name) != names.end()) {
     return scenario_file(name);
   }
+  const auto names_in_space = known_scenarios_3();
+  if (std::find(names_in_space.begin(), names_in_space.end(), name) != names_in_space.end()) {
+    return (space_folder() / (name + ".json")).string();
+  }
   throw std::runtime_error("there is no scenario and no file '" + name + "'; scenarios are " +
-                           joined(names) + ", files end in " + motion_extensions +
-                           ", also followed by .gz");
+                           joined(names) + ", in space " + joined(names_in_space) +
+                           ", files end in " + motion_extensions + ", also followed by .gz");
 }
 
 std::string recordings_directory()

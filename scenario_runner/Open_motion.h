@@ -8,6 +8,7 @@
 #include "scenario_runner/Recorded_motion.h"
 #include "scenario_runner/Scenario_file.h"
 #include "scenario_runner/Simulated_motion.h"
+#include "scenario_runner/space/Motion_3.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -25,6 +26,19 @@ inline const std::string motion_extensions = ".json, " + recording_extensions;
 std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& overrides = {},
                                     const Table_columns& columns = {});
 
+// A motion in the plane or one in space: exactly one is there.
+struct Opened_motion
+{
+  std::unique_ptr<Motion> in_plane{};
+  std::unique_ptr<Motion_3> in_space{};
+};
+
+// Opens what open_motion() opens, or the same in space. Scenarios say in which dimension they are.
+// A recording is in space if its points have third coordinates that differ, or if `dimension` is 3,
+// and in the plane if that is 2.
+Opened_motion open_any_motion(const std::string& path, const Overrides& overrides,
+                              const Table_columns& columns, std::optional<int> dimension);
+
 std::unique_ptr<Particle_motion> make_motion(const Scenario_description& description,
                                              Particle_description particles,
                                              const Overrides& overrides);
@@ -41,8 +55,10 @@ struct Scenario_facts
 };
 Scenario_facts scenario_facts(const std::string& path, const std::optional<std::size_t>& points);
 
-// The scenarios that come with the package, and the file of one.
+// The scenarios in the plane that come with the package, those in space, and the file of one in the
+// plane.
 std::vector<std::string> known_scenarios();
+std::vector<std::string> known_scenarios_3();
 std::string scenario_file(const std::string& name);
 
 // The file of a scenario that is given by its name or by a file name.

@@ -8,15 +8,12 @@
 #include "scenario_runner/Rebuild_reason_name.h"
 
 #include <algorithm>
-#include <functional>
 #include <map>
 #include <utility>
 
 namespace run {
 
 namespace {
-
-constexpr const char* const grid_ending = ".vtu";
 
 // Programs that show a cell divide by the lengths of its sides. A side without a length is made to
 // reach from the origin, or to have length 1 at the origin.
@@ -44,20 +41,6 @@ scenario::Cell written_cell(const Run_view& run, const Bounds& bounds)
       bounds.low, {{{bounds.width(), 0.0}, {0.0, bounds.height()}}}, {false, false}});
 }
 
-// Whether other programs read a text as one word of a line.
-bool is_word(const std::string& text)
-{
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
-    return static_cast<unsigned char>(c) > ' ' && c != '\x7F' && c != '"' && c != '\'';
-  });
-}
-
-// Whether the motion has names for ids, which can stand in a column of XYZ.
-bool has_words_for_ids(const scenario::Motion& motion)
-{
-  return motion.names() && std::all_of(motion.names()->begin(), motion.names()->end(), is_word);
-}
-
 void write_xyz_head(std::ostream& out, const Run_view& run, const Bounds& bounds)
 {
   const scenario::Cell cell = written_cell(run, bounds);
@@ -68,7 +51,7 @@ void write_xyz_head(std::ostream& out, const Run_view& run, const Bounds& bounds
   }
   out << "0 0 1\" Origin=\"" << number_text(cell.corner.x) << ' ' << number_text(cell.corner.y)
       << " -0.5\" pbc=\"" << letter(cell.is_periodic[0]) << letter(cell.is_periodic[1])
-      << "F\" Properties=id:" << (has_words_for_ids(run.motion()) ? 'S' : 'I')
+      << "F\" Properties=id:" << (are_ids_words(run.motion()) ? 'S' : 'I')
       << ":1:species:S:1:pos:R:3:set:I:1 Time=" << number_text(run.motion().time())
       << " Frame=" << run.record().number << '\n';
 }
@@ -88,17 +71,6 @@ void write_lammps_head(std::ostream& out, const Run_view& run, const Bounds& bou
         << number_text(bounds.low.y) << ' ' << number_text(bounds.high.y) << "\n-0.5 0.5\n";
   }
   out << "ITEM: ATOMS id type x y z set\n";
-}
-
-// Writes an array of `size` elements; `text(i)` is the text of the i-th one.
-template <class Text>
-void write_array(std::ostream& out, const char* attributes, std::size_t size, const Text& text)
-{
-  out << "<DataArray " << attributes << " format=\"ascii\">\n";
-  for (std::size_t i = 0; i != size; ++i) {
-    out << text(i) << '\n';
-  }
-  out << "</DataArray>\n";
 }
 
 // The points of a grid, and its triangles by their places among these points: first the points of
@@ -150,16 +122,6 @@ private:
   std::vector<Shown_triangle> m_triangles;
 };
 
-// A text as VTK has it among others: its bytes as numbers, and a zero.
-std::string vtk_text(const std::string& text)
-{
-  std::string bytes;
-  for (const char c : text) {
-    bytes += std::to_string(static_cast<unsigned char>(c)) + ' ';
-  }
-  return bytes + '0';
-}
-
 std::string space_text(const scenario::Point& p)
 {
   return number_text(p.x) + ' ' + number_text(p.y) + " 0";
@@ -168,12 +130,14 @@ std::string space_text(const scenario::Point& p)
 // Writes the corner of a cell, where its sides begin, and its sides.
 void write_grid_cell(std::ostream& out, const scenario::Cell& cell)
 {
-  write_array(out, R"(type="Float64" Name="CellCorner" NumberOfComponents="3" NumberOfTuples="1")",
-              1, [&](std::size_t) { return space_text(cell.corner); });
-  write_array(out, R"(type="Float64" Name="CellSides" NumberOfComponents="3" NumberOfTuples="2")",
-              2, [&](std::size_t i) { return space_text(cell.sides[i]); });
-  write_array(out, R"(type="UInt8" Name="CellIsPeriodic" NumberOfTuples="2")", 2,
-              [&](std::size_t i) { return cell.is_periodic[i] ? 1 : 0; });
+  write_vtk_array(out,
+                  R"(type="Float64" Name="CellCorner" NumberOfComponents="3" NumberOfTuples="1")",
+                  1, [&](std::size_t) { return space_text(cell.corner); });
+  write_vtk_array(out,
+                  R"(type="Float64" Name="CellSides" NumberOfComponents="3" NumberOfTuples="2")", 2,
+                  [&](std::size_t i) { return space_text(cell.sides[i]); });
+  write_vtk_array(out, R"(type="UInt8" Name="CellIsPeriodic" NumberOfTuples="2")", 2,
+                  [&](std::size_t i) { return cell.is_periodic[i] ? 1 : 0; });
 }
 
 } // namespace
@@ -201,12 +165,10 @@ void Frame_log::write(const Run_view& run)
                record.nanoseconds.static_insert, record.nanoseconds.static_fastest);
 }
 
-Point_log::Point_log(const std::string& path, Format format, const Frame_choice& choice,
+Point_log::Point_log(const std::string& path, Point_file::Format format, const Frame_choice& choice,
                      const std::optional<scenario::Box>& box)
   : Frame_output(choice)
-  , m_path(path)
-  , m_file(path)
-  , m_format(format)
+  , m_file(path, format)
   , m_box(box)
 {
 }
@@ -216,40 +178,19 @@ void Point_log::write(const Run_view& run)
   std::ostream& out = m_file.stream();
   const auto& points = run.motion().points();
   const Bounds bounds = cell_bounds(m_box, points);
-  const bool is_xyz = m_format == Format::EXTENDED_XYZ;
-  if (is_xyz) {
+  if (m_file.is_xyz()) {
     write_xyz_head(out, run, bounds);
   } else {
     write_lammps_head(out, run, bounds);
   }
-  const bool has_words = is_xyz && has_words_for_ids(run.motion());
-  if (run.motion().names() && !has_words && !m_id_table) {
-    write_id_table(*run.motion().names());
-  }
-  const char* const species = is_xyz ? " X " : " 1 "; // X is an unknown one
+  m_file.name_ids(run.motion());
   const std::vector<Vertex_set> sets = run.sets();
   for (std::size_t i = 0; i != points.size(); ++i) {
-    out << (has_words ? run.motion().id_text(i) : std::to_string(run.motion().ids()[i])) << species
-        << number_text(points[i].x) << ' ' << number_text(points[i].y) << " 0 "
+    m_file.write_id(run.motion(), i);
+    out << number_text(points[i].x) << ' ' << number_text(points[i].y) << " 0 "
         << static_cast<unsigned>(sets[i]) << '\n';
   }
   m_file.check();
-}
-
-void Point_log::write_id_table(const std::vector<std::string>& names)
-{
-  m_id_table.emplace(id_table_of(m_path), std::vector<std::string>{"id", "name"});
-  for (std::size_t id = 0; id != names.size(); ++id) {
-    m_id_table->write(id, names[id]);
-  }
-}
-
-void Point_log::finish()
-{
-  m_file.finish();
-  if (m_id_table) {
-    m_id_table->finish();
-  }
 }
 
 void write_vtk_grid(std::ostream& out, const Run_view& run)
@@ -260,87 +201,52 @@ void write_vtk_grid(std::ostream& out, const Run_view& run)
   const std::vector<Vertex_set> sets = run.sets();
   const std::vector<Shown_triangle>& triangles = points.triangles();
   const auto cell = motion.cell();
-  out << "<?xml version=\"1.0\"?>\n"
-         "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-         "<UnstructuredGrid>\n<FieldData>\n";
-  write_array(out, R"(type="Float64" Name="TimeValue" NumberOfTuples="1")", 1,
-              [&](std::size_t) { return number_text(motion.time()); });
-  write_array(out, R"(type="Int64" Name="Frame" NumberOfTuples="1")", 1,
-              [&](std::size_t) { return run.record().number; });
+  begin_vtk_grid(out, motion.time(), run.record().number);
   if (cell) {
     write_grid_cell(out, *cell);
   }
   out << "</FieldData>\n<Piece NumberOfPoints=\"" << points.size() << "\" NumberOfCells=\""
       << triangles.size() << "\">\n<PointData Scalars=\"set\">\n";
-  write_array(out, R"(type="Int64" Name="id")", points.size(),
-              [&](std::size_t i) { return motion.ids()[points.original(i)]; });
+  write_vtk_array(out, R"(type="Int64" Name="id")", points.size(),
+                  [&](std::size_t i) { return motion.ids()[points.original(i)]; });
   if (motion.names()) {
-    write_array(out, R"(type="String" Name="name")", points.size(),
-                [&](std::size_t i) { return vtk_text(motion.id_text(points.original(i))); });
+    write_vtk_array(out, R"(type="String" Name="name")", points.size(),
+                    [&](std::size_t i) { return vtk_text(motion.id_text(points.original(i))); });
   }
-  write_array(out, R"(type="UInt8" Name="set")", points.size(),
-              [&](std::size_t i) { return static_cast<unsigned>(sets[points.original(i)]); });
+  write_vtk_array(out, R"(type="UInt8" Name="set")", points.size(),
+                  [&](std::size_t i) { return static_cast<unsigned>(sets[points.original(i)]); });
   if (cell) {
-    write_array(out, R"(type="UInt8" Name="image")", points.size(),
-                [&](std::size_t i) { return points.is_image(i) ? 1 : 0; });
+    write_vtk_array(out, R"(type="UInt8" Name="image")", points.size(),
+                    [&](std::size_t i) { return points.is_image(i) ? 1 : 0; });
   }
   out << "</PointData>\n<CellData>\n";
-  write_array(out, R"(type="UInt8" Name="delaunay")", triangles.size(),
-              [&](std::size_t i) { return triangles[i].is_delaunay ? 1 : 0; });
+  write_vtk_array(out, R"(type="UInt8" Name="delaunay")", triangles.size(),
+                  [&](std::size_t i) { return triangles[i].is_delaunay ? 1 : 0; });
   out << "</CellData>\n<Points>\n";
-  write_array(out, R"(type="Float64" Name="Points" NumberOfComponents="3")", points.size(),
-              [&](std::size_t i) { return space_text(points.point(i)); });
+  write_vtk_array(out, R"(type="Float64" Name="Points" NumberOfComponents="3")", points.size(),
+                  [&](std::size_t i) { return space_text(points.point(i)); });
   out << "</Points>\n<Cells>\n";
-  write_array(out, R"(type="Int64" Name="connectivity")", triangles.size(), [&](std::size_t i) {
+  write_vtk_array(out, R"(type="Int64" Name="connectivity")", triangles.size(), [&](std::size_t i) {
     const auto& [a, b, c] = triangles[i].corners;
     return std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c);
   });
-  write_array(out, R"(type="Int64" Name="offsets")", triangles.size(),
-              [](std::size_t i) { return 3 * (i + 1); });
-  write_array(out, R"(type="UInt8" Name="types")", triangles.size(),
-              [](std::size_t) { return triangle_type; });
+  write_vtk_array(out, R"(type="Int64" Name="offsets")", triangles.size(),
+                  [](std::size_t i) { return 3 * (i + 1); });
+  write_vtk_array(out, R"(type="UInt8" Name="types")", triangles.size(),
+                  [](std::size_t) { return triangle_type; });
   out << "</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 
 Vtk_series::Vtk_series(const std::string& directory, const Frame_choice& choice)
   : Frame_output(choice)
-  , m_directory(directory)
-  , m_collection(m_directory.path_of("frames.pvd"))
+  , m_collection(directory)
 {
 }
 
 void Vtk_series::write(const Run_view& run)
 {
-  const std::int64_t number = run.record().number;
-  Output_file file(m_directory.path_of(frame_file_name(number, grid_ending)));
-  write_vtk_grid(file.stream(), run);
-  file.finish();
-  m_numbers.push_back(number);
-  m_times.push_back(run.record().time);
-}
-
-void Vtk_series::finish()
-{
-  std::ostream& out = m_collection.stream();
-  out << "<?xml version=\"1.0\"?>\n"
-         "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n"
-         "<Collection>\n";
-  const std::vector<double> times = distinct_times();
-  for (std::size_t i = 0; i != m_numbers.size(); ++i) {
-    out << "<DataSet timestep=\"" << number_text(times[i]) << "\" part=\"0\" file=\""
-        << frame_file_name(m_numbers[i], grid_ending) << "\"/>\n";
-  }
-  out << "</Collection>\n</VTKFile>\n";
-  m_collection.finish();
-}
-
-// In a collection files of equal times are parts of one picture, and a recording may have any
-// times: if they do not ascend, the numbers of the frames take their place.
-std::vector<double> Vtk_series::distinct_times() const
-{
-  const bool ascend =
-      std::adjacent_find(m_times.begin(), m_times.end(), std::greater_equal<>()) == m_times.end();
-  return ascend ? m_times : std::vector<double>(m_numbers.begin(), m_numbers.end());
+  m_collection.add(run.record().number, run.record().time,
+                   [&](std::ostream& out) { write_vtk_grid(out, run); });
 }
 
 } // namespace run

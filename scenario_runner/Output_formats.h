@@ -6,15 +6,13 @@
 
 #include "scenario_runner/Csv_writer.h"
 #include "scenario_runner/Frame_record.h"
-#include "scenario_runner/Output_file.h"
 #include "scenario_runner/Pictures.h"
+#include "scenario_runner/Point_file.h"
+#include "scenario_runner/Vtk_collection.h"
 
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <ostream>
 #include <string>
-#include <vector>
 
 namespace run {
 
@@ -35,28 +33,18 @@ private:
 
 // The points of some frames of a run in one file, a line each: id, species, x, y, z and the number
 // of the set. Above them is the cell, if space is periodic, or else the box or that of the points.
-// Where a motion has names for ids, and the format cannot have them, it gets numbers, and
-// id_table_of(path) has the name of each.
 class Point_log : public Frame_output
 {
 public:
-  // Extended XYZ says in the second line of a frame what the columns are. parse_xyz() and
-  // parse_lammps_dump() read the same motion.
-  enum class Format { EXTENDED_XYZ, LAMMPS_DUMP };
-
-  Point_log(const std::string& path, Format format, const Frame_choice& choice,
+  Point_log(const std::string& path, Point_file::Format format, const Frame_choice& choice,
             const std::optional<scenario::Box>& box);
 
-  void finish() override;
+  void finish() override { m_file.finish(); }
 
 private:
   void write(const Run_view& run) override;
-  void write_id_table(const std::vector<std::string>& names);
 
-  std::string m_path;
-  Output_file m_file;
-  std::optional<Csv_writer> m_id_table;
-  Format m_format;
+  Point_file m_file;
   std::optional<scenario::Box> m_box;
 };
 
@@ -71,16 +59,12 @@ class Vtk_series : public Frame_output
 public:
   Vtk_series(const std::string& directory, const Frame_choice& choice);
 
-  void finish() override;
+  void finish() override { m_collection.finish(); }
 
 private:
   void write(const Run_view& run) override;
-  std::vector<double> distinct_times() const;
 
-  Output_directory m_directory;
-  Output_file m_collection;
-  std::vector<std::int64_t> m_numbers; // of frames
-  std::vector<double> m_times;
+  Vtk_collection m_collection;
 };
 
 } // namespace run

@@ -9,8 +9,8 @@ namespace run {
 
 namespace {
 
-// bindings/web/player/player.html with its styles and scripts: what comes before the title, between the
-// title and the recording, and after the recording.
+// bindings/web/player/player.html with its styles and scripts: what comes before the title, between
+// the title and the recording, and after the recording.
 constexpr std::array<const char*, 3> page_parts = {
 #include "player_page_parts.inc"
 };

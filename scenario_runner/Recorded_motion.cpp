@@ -6,14 +6,10 @@
 #include "scenario_runner/Text_input.h"
 
 #include <algorithm>
-#include <stdexcept>
-#include <utility>
 
 namespace scenario {
 
-namespace {
-
-bool numbers_ascend(const Recording& recording)
+bool do_numbers_ascend(const Recording& recording)
 {
   const auto do_not_ascend = [](const Recorded_frame& a, const Recorded_frame& b) {
     return a.number >= b.number;
@@ -21,38 +17,11 @@ bool numbers_ascend(const Recording& recording)
   return std::adjacent_find(recording.begin(), recording.end(), do_not_ascend) == recording.end();
 }
 
-} // namespace
-
-Recorded_motion::Recorded_motion(std::string name, Recording recording)
-  : Motion(std::move(name))
-  , m_recording(std::move(recording))
-  , m_has_numbers(numbers_ascend(m_recording))
+bool has_fixed_population(const Recording& recording)
 {
-  if (m_recording.empty()) {
-    throw std::invalid_argument("a recorded motion needs at least one frame");
-  }
-}
-
-bool Recorded_motion::has_fixed_population() const
-{
-  return std::all_of(m_recording.begin(), m_recording.end(), [this](const Recorded_frame& frame) {
-    return frame.ids == m_recording.front().ids;
+  return std::all_of(recording.begin(), recording.end(), [&](const Recorded_frame& frame) {
+    return frame.ids == recording.front().ids;
   });
-}
-
-std::optional<std::int64_t> Recorded_motion::frame_number() const
-{
-  return m_has_numbers ? std::optional(frame().number) : std::nullopt;
-}
-
-bool Recorded_motion::advance(const Neighbor_edges&)
-{
-  if (m_current + 1 == m_recording.size()) {
-    return false;
-  }
-  m_population_changed = m_recording[m_current].ids != m_recording[m_current + 1].ids;
-  ++m_current;
-  return true;
 }
 
 bool is_standard_input(const std::string& path)

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,40 +30,80 @@ struct Recorded_frame
   std::vector<std::int64_t> ids;
   std::vector<Point> points;
   std::optional<Cell> cell{}; // none where its box is not periodic
-  std::int64_t number = 0;    // in the file, ascending: of the frame, or of the time step
+  // The third coordinates: 0 where the file has none, NaN where it has something else than a finite
+  // number. Empty if all are 0.
+  std::vector<double> heights{};
+  bool is_periodic_in_z = false;
+  std::int64_t number = 0; // in the file, ascending: of the frame, or of the time step
   std::shared_ptr<const Point_name_list> names{}; // of all frames; null where ids are numbers
 };
 
 using Recording = std::vector<Recorded_frame>;
 
-class Recorded_motion : public Motion
+// Whether the numbers of frames ascend, and whether all frames have the same ids.
+bool do_numbers_ascend(const Recording& recording);
+bool has_fixed_population(const Recording& recording);
+
+// A motion, in the plane or in space, that shows the frames of a recording, one after another.
+template <class Base>
+class Played_motion : public Base
 {
 public:
-  Recorded_motion(std::string name, Recording recording);
+  Played_motion(std::string name, Recording recording)
+    : Base(std::move(name))
+    , m_recording(std::move(recording))
+    , m_has_numbers(do_numbers_ascend(m_recording))
+  {
+    if (m_recording.empty()) {
+      throw std::invalid_argument("a recorded motion needs at least one frame");
+    }
+  }
 
   const std::vector<std::int64_t>& ids() const override { return frame().ids; }
-  const std::vector<Point>& points() const override { return frame().points; }
   double time() const override { return frame().time; }
-  std::optional<Cell> cell() const override { return frame().cell; }
-  std::optional<std::int64_t> frame_number() const override;
+  std::optional<std::int64_t> frame_number() const override
+  {
+    return m_has_numbers ? std::optional(frame().number) : std::nullopt;
+  }
   const std::vector<std::string>* names() const override { return frame().names.get(); }
-  bool has_fixed_population() const override;
+  bool has_fixed_population() const override { return scenario::has_fixed_population(m_recording); }
   bool population_changed() const override { return m_population_changed; }
   std::size_t frames() const override { return m_recording.size() - 1; }
-  bool advance(const Neighbor_edges&) override;
+
+  bool advance(const Neighbor_edges&) override
+  {
+    if (m_current + 1 == m_recording.size()) {
+      return false;
+    }
+    m_population_changed = m_recording[m_current].ids != m_recording[m_current + 1].ids;
+    ++m_current;
+    return true;
+  }
+
+protected:
+  const Recorded_frame& frame() const { return m_recording[m_current]; }
+  const Recording& all_frames() const { return m_recording; }
 
 private:
-  const Recorded_frame& frame() const { return m_recording[m_current]; }
-
   Recording m_recording;
   bool m_has_numbers; // which ascend
   std::size_t m_current = 0;
   bool m_population_changed = false;
 };
 
+// A recording in the plane, or its projection onto the plane.
+class Recorded_motion : public Played_motion<Motion>
+{
+public:
+  using Played_motion<Motion>::Played_motion;
+
+  const std::vector<Point>& points() const override { return frame().points; }
+  std::optional<Cell> cell() const override { return frame().cell; }
+};
+
 // What a table's columns are, where their names do not tell: of each pair the first is `frame`,
-// `time`, `id`, `x` or `y`, the second the title of that column; or the first words alone, in the
-// order of the columns, and a dash for any other column.
+// `time`, `id`, `x`, `y` or `z`, the second the title of that column; or the first words alone, in
+// the order of the columns, and a dash for any other column.
 struct Table_columns
 {
   std::vector<std::pair<std::string, std::string>> by_title{};
@@ -76,17 +117,17 @@ struct Table_columns
 Table_columns table_columns(const std::string& text);
 
 // Tables of positions, a row for a point in a frame, in the dialects of R, pandas, PeTrack and
-// others. `frame`, `id`, `x`, `y` and, if it is there, `time` are looked up by name in a header,
-// further columns are ignored. Rows come in any order; lines that begin with # are comments.
-// \throws Scenario_error, in which the text is called `file`
+// others. `frame`, `id`, `x`, `y` and, if they are there, `time` and `z` are looked up by name in a
+// header, further columns are ignored. Rows come in any order; lines that begin with # are
+// comments. \throws Scenario_error, in which the text is called `file`
 Recording parse_csv(const std::string& file, std::string_view text,
                     const Table_columns& columns = {});
 
 // The text dumps of the molecular dynamics program LAMMPS. Coordinates are taken from the first of
-// the column pairs `x y`, `xu yu`, `xs ys`, `xsu ysu` that is there; the last two are fractions of
-// the box. Atoms and columns come in any order, further columns are ignored. A box that is periodic
-// in x or y is the frame's cell, also if it is tilted.
-// \throws Scenario_error, in which the text is called `file`
+// the column pairs `x y`, `xu yu`, `xs ys`, `xsu ysu` that is there, and from the third column of
+// its kind, as `z`, if it is there; the last two are fractions of the box. Atoms and columns come
+// in any order, further columns are ignored. A box that is periodic in x or y is the frame's cell,
+// also if it is tilted. \throws Scenario_error, in which the text is called `file`
 Recording parse_lammps_dump(const std::string& file, std::string_view text);
 
 // XYZ files, extended or not. Points are known by the property `id`, or else by their places in the

@@ -57,10 +57,15 @@ void add_motion_options(CLI::App& app, Run_options& options)
   scenario::Overrides& overrides = options.overrides;
   add_option(
       app, "--columns", "LIST",
-      "what the columns of a table are, where their names do not tell: frame, time, id, x and "
-      "y in their order and a dash for any other, as frame,id,-,x,y; or with their titles, as "
+      "what the columns of a table are, where their names do not tell: frame, time, id, x, y and "
+      "z in their order and a dash for any other, as frame,id,-,x,y; or with their titles, as "
       "frame=t,id=label",
       [&](const std::string& text) { options.columns = scenario::table_columns(text); });
+  app.add_option("--dimension", options.dimension,
+                 "2 for the plane: of a recording in space x and y are taken alone; 3 for space; "
+                 "default 3 if z is there and differs, else 2")
+      ->type_name("2|3")
+      ->check(CLI::IsMember({2, 3}));
   app.add_option("--frames", options.frames,
                  "frames after the first one; default what the scenario says")
       ->type_name("N")
@@ -99,7 +104,8 @@ void add_output_options(CLI::App& app, Run_options& options)
                  "write all frames as one page that plays them in any browser, without a network")
       ->type_name("FILE.html");
   app.add_option("--vtk", options.vtk,
-                 "write about 30 frames for ParaView: triangles in .vtu files, all times in "
+                 "write about 30 frames for ParaView: triangles, or in space tetrahedra, in .vtu "
+                 "files, all times in "
                  "frames.pvd")
       ->type_name("DIR");
   app.add_option("--xyz", options.xyz, "write the points of all frames as extended XYZ")
@@ -110,7 +116,8 @@ void add_output_options(CLI::App& app, Run_options& options)
   app.add_option("--cells", options.cells,
                  "write the Voronoi cells of all frames, a row for each point: area, density, "
                  "perimeter, contacts, free length and length on walls; needs --radius, --domain "
-                 "or both")
+                 "or both; in space volume, density, surface area and contacts, in the scenario's "
+                 "box or whole")
       ->type_name("FILE.csv");
   app.add_option("--radius", options.radius, "where the cells of --cells end around their points")
       ->type_name("R")
@@ -190,10 +197,6 @@ void check_cells(const Run_options& options)
     throw CLI::ValidationError("--cell-rule", "says what counts of a cell that walls of --domain "
                                               "divide, and it is not there");
   }
-  if (options.cells && !options.radius && !options.domain) {
-    throw CLI::ValidationError("--cells", "needs --radius, --domain or both, as cells may have no "
-                                          "end");
-  }
   if (options.cells && !options.classifier.is_exact) {
     throw CLI::ValidationError("--cells", "needs an exact classifier, and " +
                                               options.classifier.text() + " is heuristic");
@@ -216,10 +219,18 @@ Run_options parse_options(CLI::App& app, int argc, const char* const* argv)
   add_motion_options(app, options);
   add_output_options(app, options);
   app.set_version_flag("--version", "run_scenario " CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION);
-  app.footer("Scenarios: " + scenario::joined(scenario::known_scenarios()) +
+  app.footer("Scenarios: " + scenario::joined(scenario::known_scenarios()) + "; in space " +
+             scenario::joined(scenario::known_scenarios_3()) +
              "\nHow to write one, and which recordings are read: "
              "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt");
   app.parse(argc, argv);
+  for (const char* const name :
+       {"--classifier", "--padding", "--repair", "--policy", "--engine", "--packing", "--svg",
+        "--html", "--radius", "--domain", "--cell-rule"}) {
+    if (app.count(name) != 0) {
+      options.given_for_plane.emplace_back(name);
+    }
+  }
   check_files(options);
   check_every(options);
   check_cells(options);

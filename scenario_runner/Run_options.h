@@ -31,6 +31,7 @@ struct Run_options
   unsigned padding = 1;
   unsigned threads = 1;
   std::optional<std::size_t> frames{};
+  std::optional<int> dimension{};
   scenario::Overrides overrides{};
   scenario::Table_columns columns{};
   std::optional<std::string> report{};
@@ -46,6 +47,7 @@ struct Run_options
   std::optional<Cell_rule> cell_rule{};
   std::optional<std::size_t> every{};
   bool quiet = false;
+  std::vector<std::string> given_for_plane{}; // options that were given, and say nothing of space
 
   std::string repair_name() const { return repair.value_or(usual_repair(classifier)); }
 };

@@ -5,13 +5,12 @@
 #define SCENARIO_RUNNER_RUN_REPORT_H
 
 #include "scenario_runner/Frame_record.h"
-#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Frames_summary.h"
 #include "scenario_runner/Method_choice.h"
 #include "scenario_runner/Scenario_file.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -38,23 +37,9 @@ struct Run_subject
 // The classifier, repair and policy of a run, in one line.
 std::string method_text(const Run_subject& subject);
 
-// Nanoseconds a point, over frames.
-struct Time_summary
+// All frames of a run in the plane after the first one, in a few numbers.
+struct Run_summary : Frames_summary
 {
-  std::optional<Spread> dynamic;
-  std::optional<Spread> static_insert;
-  std::optional<Spread> static_fastest;
-};
-
-// All frames after the first one in a few numbers. Numbers that no frame yields are missing.
-struct Run_summary
-{
-  std::size_t points = 0; // the most in a frame
-  std::size_t frames = 0;
-  std::size_t certified_frames = 0;
-  std::size_t rebuilds = 0;
-  std::size_t population_changes = 0;
-  std::map<std::string, std::size_t> rebuild_reasons;
   std::optional<double> validity_min;
   std::optional<double> validity_mean;
   std::optional<double> classified_mean;
@@ -64,8 +49,6 @@ struct Run_summary
   std::optional<double> splices_mean;
   std::optional<double> enlargements_mean;
   std::optional<double> relocated_mean;
-  Time_summary times;
-  Time_summary last_half_times;
 };
 
 Run_summary summarize(std::size_t points_of_first_frame, const std::vector<Frame_record>& records);

@@ -20,7 +20,7 @@ namespace {
 {
   throw std::invalid_argument(
       in_quotes(text) + " " + why +
-      ", allowed are frame, time, id, x and y, and a dash for any other, in "
+      ", allowed are frame, time, id, x, y and z, and a dash for any other, in "
       "the order of the columns, or with their titles, as frame=t,id=label");
 }
 

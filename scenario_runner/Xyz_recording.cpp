@@ -52,6 +52,7 @@ private:
     std::optional<std::size_t> id{};
     bool ids_are_text = false;
     std::optional<std::size_t> position{}; // of x, before y
+    bool has_z = false;                    // after y
   };
 
   void read_frame(std::string_view first_line, Recording& frames)
@@ -66,6 +67,7 @@ private:
     frame.number = number(comment, frames);
     frame.time = comment.has("time") ? comment.number("time") : static_cast<double>(frame.number);
     frame.cell = cell(comment);
+    frame.is_periodic_in_z = periodic_sides(comment)[2];
     check_kind(m_scanner, frame.cell, frames);
     const Columns columns = read_columns(comment);
     if (!frames.empty() && columns.ids_are_text != m_ids_are_text) {
@@ -97,7 +99,8 @@ private:
 
   std::optional<Cell> cell(const Xyz_comment& comment) const
   {
-    const std::array<bool, 2> is_periodic = periodic_sides(comment);
+    const std::array<bool, 3> sides = periodic_sides(comment);
+    const std::array<bool, 2> is_periodic = {sides[0], sides[1]};
     if (!comment.has("lattice")) {
       if (is_periodic[0] || is_periodic[1]) {
         m_scanner.fail("the frame is periodic by its pbc, but has no Lattice");
@@ -115,13 +118,14 @@ private:
   }
 
   // A lattice without pbc is periodic.
-  static std::array<bool, 2> periodic_sides(const Xyz_comment& comment)
+  static std::array<bool, 3> periodic_sides(const Xyz_comment& comment)
   {
     if (!comment.has("pbc")) {
-      return {comment.has("lattice"), comment.has("lattice")};
+      const bool are = comment.has("lattice");
+      return {are, are, are};
     }
     const std::vector<bool> sides = comment.truths("pbc", 3);
-    return {sides[0], sides[1]};
+    return {sides[0], sides[1], sides[2]};
   }
 
   // The columns by a text of the form name:type:number:name:type:number...
@@ -169,6 +173,7 @@ private:
       check_property(property, type, "IR", !columns.position && number >= 2,
                      "two or three columns");
       columns.position = columns.count;
+      columns.has_z = number >= 3;
     } else {
       check_property(property, type, "IRLS", true, "");
     }
@@ -201,6 +206,7 @@ private:
       if (i == 0 && columns.ends_with_z && m_fields.size() + 1 == columns.count) {
         --columns.count; // in this row, so in all of the frame
         columns.are_all = true;
+        columns.has_z = false;
       }
       check_fields(columns);
       const std::int64_t id = point_id(columns, i);
@@ -209,7 +215,7 @@ private:
       m_rows.add(
           id,
           {coordinate(*columns.position, "x", name), coordinate(*columns.position + 1, "y", name)},
-          m_scanner.line_number());
+          columns.has_z ? height(m_fields[*columns.position + 2]) : 0.0, m_scanner.line_number());
     }
   }
 
@@ -242,6 +248,11 @@ private:
     const std::string_view text = m_fields[column];
     return may_be_of_fortran(text) ? m_scanner.coordinate(with_usual_exponent(text), name, id)
                                    : m_scanner.coordinate(text, name, id);
+  }
+
+  static double height(std::string_view text)
+  {
+    return may_be_of_fortran(text) ? height_in(with_usual_exponent(text)) : height_in(text);
   }
 
   Text_scanner m_scanner;

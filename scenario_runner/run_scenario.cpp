@@ -16,6 +16,8 @@
 #include "scenario_runner/Run_options.h"
 #include "scenario_runner/Run_report.h"
 #include "scenario_runner/Scenario_run.h"
+#include "scenario_runner/space/Outputs_3.h"
+#include "scenario_runner/space/Run_report_3.h"
 #include "scenario_runner/Threads.h"
 
 #include <CLI/CLI.hpp>
@@ -31,6 +33,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {
@@ -50,7 +53,7 @@ public:
     const auto seen =
         options.every ? run::Frame_choice(frames, *options.every) : run::about_thirty(frames);
     const run::Frame_choice recorded(frames, options.every.value_or(1));
-    using Format = run::Point_log::Format;
+    using Format = run::Point_file::Format;
     add<run::Frame_log>(options.csv);
     add<run::Picture_series>(options.svg, subject.scenario, seen, box);
     add<run::Player_page>(options.html, subject.scenario, run::method_text(subject), recorded);
@@ -115,12 +118,13 @@ run::Run_subject run_subject(const run::Run_options& options, const scenario::Mo
   return subject;
 }
 
-template <class Run>
-run::Run_summary run_all(Run& run, std::size_t frames, Outputs& outputs)
+// Runs all frames, and summarizes them.
+template <class Run, class Run_outputs>
+auto run_all(Run& run, std::size_t frames, Run_outputs& outputs)
 {
   run.check_first_frame();
   const std::size_t points_of_first_frame = run.motion().points().size();
-  std::vector<run::Frame_record> records;
+  std::vector<std::decay_t<decltype(run.record())>> records;
   outputs.take(run);
   while (records.size() != frames && !run::interruption::has_come() && run.advance()) {
     records.push_back(run.record());
@@ -156,18 +160,19 @@ run::Run_summary run_frames(const run::Run_subject& subject, scenario::Motion& m
                     outputs);
 }
 
-std::unique_ptr<scenario::Motion> open(const std::string& path, const run::Run_options& options,
-                                       bool is_recording)
+scenario::Opened_motion open(const std::string& path, const run::Run_options& options,
+                             bool is_recording)
 {
   scenario::Overrides overrides = options.overrides;
   if (is_recording) {
     overrides.seed.reset(); // only the random classifier needs it
   }
-  return scenario::open_motion(path, overrides, options.columns);
+  return scenario::open_any_motion(path, overrides, options.columns, options.dimension);
 }
 
 // Prints the table, and throws if the output cannot be written.
-void print(const run::Run_subject& subject, const run::Run_summary& summary)
+template <class Subject, class Summary>
+void print(const Subject& subject, const Summary& summary)
 {
   errno = 0;
   run::write_table(std::cout, subject, summary);
@@ -178,27 +183,11 @@ void print(const run::Run_subject& subject, const run::Run_summary& summary)
   }
 }
 
-int run_scenario(const run::Run_options& options)
+// Prints what came out. Returns the program's exit code.
+template <class Subject, class Summary>
+int end(const run::Run_options& options, const Subject& subject, const Summary& summary,
+        std::size_t frames)
 {
-  const std::string path = scenario::scenario_path(options.scenario);
-  const scenario::Scenario_facts facts = scenario::scenario_facts(path, options.overrides.points);
-  const auto motion = open(path, options, !facts.seed);
-  if (options.domain && motion->cell()) {
-    throw std::invalid_argument("--domain: is for the plane, and the motion is in a periodic cell");
-  }
-  const run::Run_subject subject = run_subject(options, *motion, facts);
-  std::size_t frames = options.frames.value_or(motion->frames());
-  if (!facts.seed) {
-    frames = (std::min)(frames, motion->frames()); // a recording ends
-  }
-  run::Run_summary summary;
-  {
-    Outputs outputs(options, subject, frames, facts.box);
-    summary = run::Threads(options.threads).execute([&] {
-      return run_frames(subject, *motion, frames, outputs);
-    });
-    outputs.finish(subject, summary);
-  }
   if (!options.quiet) {
     print(subject, summary);
   }
@@ -208,6 +197,72 @@ int run_scenario(const run::Run_options& options)
     return run::interruption::exit_code();
   }
   return 0;
+}
+
+int run_in_plane(const run::Run_options& options, scenario::Motion& motion,
+                 const scenario::Scenario_facts& facts, std::size_t frames)
+{
+  if (options.domain && motion.cell()) {
+    throw std::invalid_argument("--domain: is for the plane, and the motion is in a periodic cell");
+  }
+  if (options.cells && !options.radius && !options.domain) {
+    throw std::invalid_argument("--cells: needs --radius, --domain or both, as cells may have no "
+                                "end");
+  }
+  const run::Run_subject subject = run_subject(options, motion, facts);
+  run::Run_summary summary;
+  {
+    Outputs outputs(options, subject, frames, facts.box);
+    summary = run::Threads(options.threads).execute([&] {
+      return run_frames(subject, motion, frames, outputs);
+    });
+    outputs.finish(subject, summary);
+  }
+  return end(options, subject, summary, frames);
+}
+
+int run_in_space(const run::Run_options& options, scenario::Motion_3& motion,
+                 const scenario::Scenario_facts& facts, std::size_t frames)
+{
+  if (!options.given_for_plane.empty()) {
+    throw std::invalid_argument(options.given_for_plane.front() +
+                                ": is for the plane, and the motion is in space");
+  }
+  const run::Run_subject_3 subject{motion.name(), options.threads, motion.time_step(), facts.seed};
+  run::Run_summary_3 summary;
+  {
+    std::optional<run::Output_file> report;
+    if (options.report) {
+      report.emplace(*options.report);
+    }
+    run::Outputs_3 outputs(options, frames);
+    summary = run::Threads(options.threads).execute([&] {
+      run::Motion_run_3 run(motion);
+      return run_all(run, frames, outputs);
+    });
+    outputs.finish();
+    if (report) {
+      run::write_report(report->stream(), subject, summary);
+      report->finish();
+    }
+  }
+  return end(options, subject, summary, frames);
+}
+
+int run_scenario(const run::Run_options& options)
+{
+  const std::string path = scenario::scenario_path(options.scenario);
+  scenario::Scenario_facts facts = scenario::scenario_facts(path, options.overrides.points);
+  const scenario::Opened_motion motion = open(path, options, !facts.seed);
+  const std::size_t usual = motion.in_space ? motion.in_space->frames() : motion.in_plane->frames();
+  std::size_t frames = options.frames.value_or(usual);
+  if (!facts.seed) {
+    frames = (std::min)(frames, usual); // a recording ends
+  } else if (options.overrides.seed) {
+    facts.seed = options.overrides.seed;
+  }
+  return motion.in_space ? run_in_space(options, *motion.in_space, facts, frames)
+                         : run_in_plane(options, *motion.in_plane, facts, frames);
 }
 
 } // namespace

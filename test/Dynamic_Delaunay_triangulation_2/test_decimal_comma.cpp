@@ -204,7 +204,7 @@ std::map<std::string, std::string> written()
       output.take(run);
       output.finish();
     };
-    using Format = run::Point_log::Format;
+    using Format = run::Point_file::Format;
     write(run::Frame_log(path("frames.csv")));
     write(run::Point_log(path("points.xyz"), Format::EXTENDED_XYZ, all, std::nullopt));
     write(run::Point_log(path("points.dump"), Format::LAMMPS_DUMP, all, std::nullopt));

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "scenario_runner/space/Motion_3.h"
+
+#include "scenario_runner/Text_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+namespace scenario {
+
+namespace {
+
+const std::string advice = "; --dimension 2 takes x and y alone";
+
+void check(const std::string& file, const Recorded_frame& frame)
+{
+  if (frame.cell || frame.is_periodic_in_z) {
+    throw Scenario_error(file, "is in space and periodic, and only open space is known" + advice);
+  }
+  const auto wrong = std::find_if(frame.heights.begin(), frame.heights.end(),
+                                  [](double z) { return !std::isfinite(z); });
+  if (wrong != frame.heights.end()) {
+    const std::int64_t id = frame.ids[static_cast<std::size_t>(wrong - frame.heights.begin())];
+    const std::string text =
+        frame.names ? in_quotes((*frame.names)[static_cast<std::size_t>(id)]) : std::to_string(id);
+    throw Scenario_error(file, "is in space, and z of id " + text + " in frame " +
+                                   std::to_string(frame.number) + " is no finite number" + advice);
+  }
+}
+
+} // namespace
+
+bool is_in_space(const Recording& recording)
+{
+  std::optional<double> first;
+  for (const Recorded_frame& frame : recording) {
+    for (std::size_t i = 0; i != frame.ids.size(); ++i) {
+      const double z = frame.heights.empty() ? 0.0 : frame.heights[i];
+      if (std::isfinite(z) && first.value_or(z) != z) {
+        return true;
+      }
+      first = std::isfinite(z) ? z : first;
+    }
+  }
+  return false;
+}
+
+Recorded_motion_3::Recorded_motion_3(const std::string& file, const std::string& name,
+                                     Recording recording)
+  : Played_motion<Motion_3>(name, std::move(recording))
+{
+  for (const Recorded_frame& each : all_frames()) {
+    check(file, each);
+  }
+  read_points();
+}
+
+bool Recorded_motion_3::advance(const Neighbor_edges& neighbors)
+{
+  const bool is_there = Played_motion<Motion_3>::advance(neighbors);
+  if (is_there) {
+    read_points();
+  }
+  return is_there;
+}
+
+void Recorded_motion_3::read_points()
+{
+  m_points.clear();
+  for (std::size_t i = 0; i != frame().points.size(); ++i) {
+    const auto& [x, y] = frame().points[i];
+    m_points.push_back({x, y, frame().heights.empty() ? 0.0 : frame().heights[i]});
+  }
+}
+
+} // namespace scenario

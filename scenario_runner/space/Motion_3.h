@@ -1,0 +1,54 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCENARIO_RUNNER_SPACE_MOTION_3_H
+#define SCENARIO_RUNNER_SPACE_MOTION_3_H
+
+#include "scenario_runner/Motion.h"
+#include "scenario_runner/Recorded_motion.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scenario {
+
+using Point_3 = std::array<double, 3>;
+
+// Points that move in space.
+class Motion_3 : public Any_motion
+{
+public:
+  using Any_motion::Any_motion;
+
+  // In the order of ids().
+  virtual const std::vector<Point_3>& points() const = 0;
+
+  // The far corner of the box from the origin that the points do not leave, if there is one.
+  virtual std::optional<Point_3> box() const { return std::nullopt; }
+};
+
+// Whether the points of a recording move in space: some of their third coordinates differ.
+bool is_in_space(const Recording& recording);
+
+// A recording whose points have a third coordinate.
+class Recorded_motion_3 : public Played_motion<Motion_3>
+{
+public:
+  // \throws Scenario_error, with the frame and the point, if a third coordinate is no finite
+  // number; or if the recording is periodic: space that repeats itself is not known here.
+  Recorded_motion_3(const std::string& file, const std::string& name, Recording recording);
+
+  const std::vector<Point_3>& points() const override { return m_points; }
+  bool advance(const Neighbor_edges& neighbors) override;
+
+private:
+  void read_points();
+
+  std::vector<Point_3> m_points;
+};
+
+} // namespace scenario
+
+#endif // SCENARIO_RUNNER_SPACE_MOTION_3_H
