@@ -9,10 +9,12 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_reader_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_writer_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Triangulation_state_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Simplex_changes_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Update_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_3.h>
@@ -31,6 +33,7 @@
 #include <memory>
 #include <ostream>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -99,8 +102,11 @@ to triangulate all points anew. Memory: some 300 bytes a point, from the first f
   point proves nothing for coordinates that are rounded, and exact predicates do everything.
 \tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB: threads then share the
   passes over all points and cells. Results do not depend on it.
+\tparam Visitor is told which edges and facets come and go, such as `Edge_changes_visitor_3`: has
+the functions of `Delaunay_update_visitor_base_3`, the default, which costs nothing.
 */
-template <class Traits, class ConcurrencyTag = Sequential_tag>
+template <class Traits, class ConcurrencyTag = Sequential_tag,
+          class Visitor = Delaunay_update_visitor_base_3>
 class Dynamic_Delaunay_triangulation_3
 {
   friend Dynamic_Delaunay_triangulations_3::internal::Access_3;
@@ -138,8 +144,9 @@ public:
   /// @{
 
   /// creates an empty triangulation.
-  explicit Dynamic_Delaunay_triangulation_3(const Traits& traits = Traits())
-    : m_core(std::make_unique<Core>(traits))
+  explicit Dynamic_Delaunay_triangulation_3(const Traits& traits = Traits(),
+                                            const Visitor& visitor = Visitor())
+    : m_core(std::make_unique<Core>(traits, visitor))
   {
   }
 
@@ -167,14 +174,15 @@ public:
 
   /// copies everything. From then on the same calls have the same results for both. Cost: linear.
   Dynamic_Delaunay_triangulation_3(const Dynamic_Delaunay_triangulation_3& other)
-    : m_core(std::make_unique<Core>(other.m_core->state.traits))
+    : m_core(std::make_unique<Core>(other.m_core->state.traits, other.visitor()))
   {
     m_core->state = other.m_core->state;
-    m_core->update.take_over(other.m_core->update);
+    m_core->changes = other.m_core->changes;
+    m_core->kernel.take_over(other.m_core->kernel);
   }
   /// takes everything from the other triangulation, and leaves it empty.
   Dynamic_Delaunay_triangulation_3(Dynamic_Delaunay_triangulation_3&& other)
-    : m_core(std::make_unique<Core>(other.m_core->state.traits))
+    : m_core(std::make_unique<Core>(other.m_core->state.traits, Visitor()))
   {
     swap(other);
   }
@@ -214,10 +222,10 @@ public:
                          const PointMap& point_map = PointMap())
   {
     const Floating_point floating_point;
-    Input::stage(first, beyond, point_map, m_core->state, m_core->update.staged());
+    Input::stage(first, beyond, point_map, m_core->state, m_core->kernel.staged());
     Change change;
     change.is_frame = true;
-    return m_core->update.run(change);
+    return run(change);
   }
 
   /// moves all points to the positions of a range with `begin()` and `end()`.
@@ -246,7 +254,7 @@ public:
     Change change;
     change.moved.emplace_back(id);
     change.moved_points.push_back(point);
-    return m_core->update.run(change);
+    return run(change);
   }
 
   /// @}
@@ -274,7 +282,7 @@ public:
     const Floating_point floating_point;
     Change change;
     Input::read_newcomers(first, beyond, m_core->state, change);
-    const Update_report_3 report = m_core->update.run(change);
+    const Update_report_3 report = run(change);
     for (const Point_id id : change.coming)
       *ids++ = size_type(id);
     return report;
@@ -298,7 +306,7 @@ public:
       change.gone.emplace_back(*first);
     }
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(change.gone);
-    return m_core->update.run(change);
+    return run(change);
   }
   /// removes the points with these ids.
   Update_report_3 remove(std::initializer_list<size_type> ids)
@@ -312,7 +320,7 @@ public:
 
   /// whether the triangulation is proved Delaunay: false only after a call that memory did not
   /// suffice for.
-  bool is_certified() const { return m_core->update.is_certified(); }
+  bool is_certified() const { return m_core->kernel.is_certified(); }
 
   /// proves the triangulation again: one pass in floating point with proved bounds looks at all
   /// cells, and exact predicates at what it leaves. If that fails, which only damaged memory could
@@ -322,7 +330,7 @@ public:
   bool certify()
   {
     const Floating_point floating_point;
-    return m_core->update.certify();
+    return m_core->kernel.certify();
   }
 
   /// makes the triangulation Delaunay and certified after such a call. Else it does nothing.
@@ -332,7 +340,7 @@ public:
     const Floating_point floating_point;
     Update_report_3 report;
     report.certified = true;
-    return is_certified() ? report : m_core->update.run(Change());
+    return is_certified() ? report : m_core->kernel.run(Change());
   }
 
   /// tests everything again by exact predicates, with what floating point had proved: whether the
@@ -342,7 +350,7 @@ public:
   bool is_valid(bool verbose = false) const
   {
     const Floating_point floating_point;
-    const char* const problem = m_core->update.problem();
+    const char* const problem = m_core->kernel.problem();
     if (problem != nullptr && verbose)
       std::cerr << "Dynamic_Delaunay_triangulation_3: " << problem << '\n';
     return problem == nullptr;
@@ -388,6 +396,15 @@ public:
     check_id(id);
     return representative_of(ids().vertex(Point_id(id)));
   }
+
+  /// @}
+  /// \name Visitor
+  /// @{
+
+  /// the visitor.
+  const Visitor& visitor() const { return m_core->visitor; }
+  /// the visitor, in order to read and clear what it has recorded.
+  Visitor& visitor() { return m_core->visitor; }
 
   /// @}
   /// \name Cells, Facets, Edges and Neighbors
@@ -474,14 +491,15 @@ public:
     write_file(out, checkpoint_subject, [](auto&) {});
   }
 
-  /// replaces everything by what a file has. Settings there are none.
+  /// replaces everything but the visitor by what a file has.
   ///
   /// The file is validated: each number and id has to occur exactly once, cells have to fit
   /// together, and exact predicates have to prove that they are a Delaunay triangulation of the
   /// points. Reads exactly what was written, and leaves the rest of the stream unread. Cost: that
   /// of sorting the facets; memory in proportion to what is read, in addition to what this
   /// triangulation uses.
-  /// \throws Checkpoint_error_2 if the file is refused. Whatever is thrown, nothing changes.
+  /// \throws Checkpoint_error_2 if the file is refused. Whatever is thrown, nothing changes, unless
+  /// the visitor throws it while it is told what has changed.
   /// \post `is_certified()`
   void read_checkpoint(std::istream& in)
   {
@@ -508,16 +526,26 @@ public:
 private:
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_3";
 
+  // Changes are recorded for those who want to know.
+  static constexpr bool is_watched = !std::is_same_v<Visitor, Delaunay_update_visitor_base_3>;
+  using Changes = Dynamic_Delaunay_triangulations_3::internal::Simplex_changes_3<State>;
+  struct Nothing
+  {
+  };
+
   // Must not move in memory: its parts refer to each other.
   struct Core
   {
-    explicit Core(const Traits& traits)
+    Core(const Traits& traits, const Visitor& given_visitor)
       : state(traits)
+      , visitor(given_visitor)
     {
     }
 
     State state;
-    Update update{state};
+    Update kernel{state};
+    Visitor visitor;
+    std::conditional_t<is_watched, Changes, Nothing> changes;
   };
 
   // Finds neighbors of vertices, one after the other.
@@ -542,6 +570,45 @@ private:
     std::vector<Cell_index> m_cells;
     std::vector<Vertex_index> m_neighbors;
   };
+
+  Update_report_3 run(const Change& change)
+  {
+    start_visit();
+    const Update_report_3 report = m_core->kernel.run(change);
+    finish_visit(report);
+    return report;
+  }
+
+  // To be called before any change.
+  void start_visit()
+  {
+    if constexpr (is_watched) {
+      m_core->changes.begin(m_core->state);
+      m_core->visitor.before_update(*this);
+    }
+  }
+  // Compares, then tells the visitor.
+  void finish_visit([[maybe_unused]] const Update_report_3& report)
+  {
+    if constexpr (is_watched) {
+      m_core->changes.end(m_core->state);
+      tell(report);
+    }
+  }
+  void tell(const Update_report_3& report)
+  {
+    Visitor& visitor = m_core->visitor;
+    const auto &removed = m_core->changes.removed(), &created = m_core->changes.created();
+    for (const auto& facet : removed.facets)
+      visitor.after_facet_removal(*this, facet);
+    for (const auto& edge : removed.edges)
+      visitor.after_edge_removal(*this, edge[0], edge[1]);
+    for (const auto& edge : created.edges)
+      visitor.after_edge_creation(*this, edge[0], edge[1]);
+    for (const auto& facet : created.facets)
+      visitor.after_facet_creation(*this, facet);
+    visitor.after_update(*this, report);
+  }
 
   // A frame of a population: removes the points `gone`, moves the others to the positions by their
   // ids, and inserts points. All positions are checked. The ids of new points are written to
@@ -575,9 +642,12 @@ private:
     change.coming = ids().next_ids(coming.size(), change.gone);
     change.coming_points = coming;
     std::vector<size_type> next_ids(change.coming.begin(), change.coming.end());
-    m_core->update.reserve(change);
+    start_visit();
+    m_core->kernel.reserve(change);
     coming_ids.swap(next_ids); // from here on, points that go do so before anything is thrown
-    return m_core->update.run(change);
+    const Update_report_3 report = m_core->kernel.run(change);
+    finish_visit(report);
+    return report;
   }
 
   // Writes a checkpoint of this kind. `append` writes additional lines of the file.
@@ -603,12 +673,21 @@ private:
   {
     const Floating_point floating_point;
     Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2 file(in, subject);
-    auto core = std::make_unique<Core>(m_core->state.traits);
+    auto core = std::make_unique<Core>(m_core->state.traits, visitor());
     Dynamic_Delaunay_triangulations_3::internal::Checkpoint_reader_3(core->state, file).read();
     read_more(file, core->state.ids);
     file.finish();
+    if constexpr (is_watched) {
+      core->visitor.before_update(*this);
+      core->changes.compare(m_core->state, m_core->changes, core->state);
+    }
     m_core.swap(core);
     exchange_more();
+    if constexpr (is_watched) {
+      Update_report_3 report;
+      report.certified = true;
+      tell(report);
+    }
   }
 
   const typename State::Ids& ids() const { return m_core->state.ids; }

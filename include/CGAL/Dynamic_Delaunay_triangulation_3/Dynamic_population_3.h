@@ -206,6 +206,11 @@ public:
 
   /// the triangulation. Its ids are not those of the user.
   const Dynamic& triangulation() const { return m_triangulation; }
+  /// the visitor of the triangulation. An update of the population is one update of the
+  /// triangulation.
+  const auto& visitor() const { return m_triangulation.visitor(); }
+  /// the visitor, in order to read and clear what it has recorded.
+  auto& visitor() { return m_triangulation.visitor(); }
   /// the number of points.
   size_type size() const { return m_frame.size(); }
   /// whether a point has this id.

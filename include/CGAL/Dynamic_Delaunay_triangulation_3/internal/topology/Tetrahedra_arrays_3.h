@@ -8,6 +8,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_history_3.h>
 
 #include <algorithm>
 #include <array>
@@ -72,6 +73,8 @@ public:
   // Vertices keep their corners, which mean nothing until they have cells again.
   void clear_cells()
   {
+    if (m_history.is_on())
+      m_history.give_up(m_cells);
     m_cells.clear();
     m_free.clear();
     m_is_recording = false;
@@ -94,6 +97,7 @@ public:
       if (m_cells.size() == m_cells.capacity()) // doubling would take 200 bytes a point
         m_cells.reserve(m_cells.size() + m_cells.size() / 8 + 64);
       m_cells.push_back(free_cell());
+      note(c);
     } else {
       c = m_free.back();
       m_free.pop_back();
@@ -106,6 +110,7 @@ public:
   void drop_cell(Cell_index c)
   {
     record(c);
+    note(c);
     m_cells[c] = free_cell();
     (m_is_recording ? m_dropped : m_free).push_back(c);
   }
@@ -113,6 +118,7 @@ public:
   void set_vertices(Cell_index c, const Vertices_3& v)
   {
     record(c);
+    note(c);
     m_cells[c].vertices = v;
     for (int i = 0; i < 4; ++i)
       m_corners[v[i]] = corner(c, i);
@@ -218,8 +224,10 @@ public:
   // Gives the vertex `from`, whose star is given, the number `to`.
   void renumber(Vertex_index from, Vertex_index to, const std::vector<Cell_index>& star)
   {
-    for (const Cell_index c : star)
+    for (const Cell_index c : star) {
+      note(c);
       m_cells[c].vertices[place_of(c, from)] = to;
+    }
     m_corners[to] = m_corners[from];
   }
   void pop_vertex() { m_corners.pop_back(); }
@@ -294,11 +302,37 @@ public:
         f(c);
   }
 
+  // HISTORY ---------------------------------------------------------------------------------------
+
+  // What is noted between its begin() and end(), for visitors. Numbers of vertices are those at its
+  // begin().
+  Cell_history_3<Cell>& history() { return m_history; }
+
+  // Calls f(vertices) for each cell that there was at that begin(). Call finish() before.
+  template <class Function>
+  void for_each_former_of_all(const Function& f) const
+  {
+    m_history.for_each_former_of_all(m_cells, f);
+  }
+
+  // Notes the cells of a vertex that stays where it is, and gets another name.
+  void note_star(const std::vector<Cell_index>& star)
+  {
+    for (const Cell_index c : star)
+      note(c);
+  }
+
 private:
   static Cell free_cell()
   {
     return {{null_index, null_index, null_index, null_index},
             {null_index, null_index, null_index, null_index}};
+  }
+
+  void note(Cell_index c)
+  {
+    if (m_history.is_on())
+      m_history.note(c, vertices(c));
   }
 
   void record(Cell_index c)
@@ -316,6 +350,7 @@ private:
   void move_last_cell_to(Cell_index c)
   {
     const Cell_index last(m_cells.size() - 1);
+    note(last);
     const Cell cell = m_cells[last];
     m_cells[c] = cell;
     for (int i = 0; i < 4; ++i) {
@@ -334,6 +369,7 @@ private:
   bool m_is_recording = false;
   std::vector<std::pair<Cell_index, Cell>> m_record; // what was overwritten, in order
   std::vector<Cell_index> m_made, m_dropped;
+  Cell_history_3<Cell> m_history;
 };
 
 // Whether places are an even permutation of 0, 1, 2 and 3.

@@ -88,7 +88,7 @@ public:
   {
     m_state.ids.reserve_for_removals(change.gone.size() + change.coming.size());
     m_state.ids.reserve_for_covered(change.coming.size() + change.moved.size());
-    m_waiting.reserve_for_removals(change.gone.size());
+    m_waiting.prepare(change);
   }
 
   // If memory does not suffice to begin, nothing changes. If it runs out later, there are no cells,

@@ -44,8 +44,20 @@ public:
     m_without_cells.clear();
   }
 
-  // Reserves memory, so that remove() throws nothing before all points are removed.
-  void reserve_for_removals(std::size_t number) { m_without_cells.reserve(number); }
+  // Reserves memory, so that remove() throws nothing before all points are removed, and notes the
+  // cells of vertices that get other representatives.
+  void prepare(const Change_3<Point>& change)
+  {
+    m_without_cells.reserve(change.gone.size());
+    if (!m_state.spans_space || !m_state.arrays.history().is_on())
+      return;
+    for (const std::vector<Point_id>* ids : {&change.gone, &change.moved})
+      for (const Point_id id : *ids)
+        if (m_state.ids.is_representative(id) && !m_state.ids.is_alone(id)) {
+          find_star(m_state.arrays, m_state.ids.vertex(id), m_state.marks, m_star);
+          m_state.arrays.note_star(m_star);
+        }
+  }
 
   // Removes points, then their vertices from the cells if these are to be mended. False if that has
   // failed.

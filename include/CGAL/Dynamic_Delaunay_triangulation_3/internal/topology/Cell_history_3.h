@@ -1,0 +1,115 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_TOPOLOGY_CELL_HISTORY_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_TOPOLOGY_CELL_HISTORY_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// What cells were since begin(), of those that have changed; of all, once they are given up.
+// `Cell` has `vertices`, of which the first is null_index where there is no cell.
+template <class Cell>
+class Cell_history_3
+{
+public:
+  void begin()
+  {
+    m_former.clear();
+    m_given_up.clear();
+    m_are_given_up = false;
+    m_is_on = true;
+  }
+  void end()
+  {
+    begin();
+    m_is_on = false;
+  }
+
+  // Whether cells that are about to change are to be noted.
+  bool is_on() const { return m_is_on && !m_are_given_up; }
+  void note(Cell_index c, const Vertices_3& vertices) { m_former.push_back({c, vertices}); }
+
+  // All cells are given up. Takes them instead of copying, so that nothing is thrown.
+  void give_up(Column<Cell_index, Cell>& cells)
+  {
+    m_given_up.swap(cells);
+    m_are_given_up = true;
+  }
+  bool are_given_up() const { return m_are_given_up; }
+
+  // To be called before the functions below: of what was noted of a cell, the first remains.
+  void finish()
+  {
+    std::stable_sort(m_former.begin(), m_former.end(),
+                     [](const Former& a, const Former& b) { return a.cell < b.cell; });
+    m_former.erase(std::unique(m_former.begin(), m_former.end(),
+                               [](const Former& a, const Former& b) { return a.cell == b.cell; }),
+                   m_former.end());
+  }
+
+  // Calls f(vertices) for each cell that there was, of those that have changed.
+  template <class Function>
+  void for_each_former(const Function& f) const
+  {
+    for_each_former(m_given_up, f);
+  }
+  // Calls it for each cell that there was. `present` are those that there are.
+  template <class Function>
+  void for_each_former_of_all(const Column<Cell_index, Cell>& present, const Function& f) const
+  {
+    for_each_former(m_are_given_up ? m_given_up : present, f);
+  }
+
+  // Calls f(c) for each number of which the cell has changed, unless all were given up.
+  template <class Function>
+  void for_each_changed(const Function& f) const
+  {
+    for (const Former& former : m_former)
+      f(former.cell);
+  }
+
+private:
+  struct Former
+  {
+    Cell_index cell;
+    Vertices_3 vertices;
+  };
+
+  // Those that were noted, and of `others` those that were not.
+  template <class Function>
+  void for_each_former(const Column<Cell_index, Cell>& others, const Function& f) const
+  {
+    auto next = m_former.begin();
+    for (Cell_index c(0); c < others.size(); ++c)
+      if (next != m_former.end() && next->cell == c)
+        call(f, (next++)->vertices);
+      else
+        call(f, others[c].vertices);
+    for (; next != m_former.end(); ++next)
+      call(f, next->vertices);
+  }
+
+  template <class Function>
+  static void call(const Function& f, const Vertices_3& vertices)
+  {
+    if (vertices[0] != null_index)
+      f(vertices);
+  }
+
+  bool m_is_on = false, m_are_given_up = false;
+  std::vector<Former> m_former;
+  Column<Cell_index, Cell> m_given_up; // as they were then
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_TOPOLOGY_CELL_HISTORY_3_H
