@@ -50,8 +50,16 @@ void check_overrides(const std::string& path, const Overrides& overrides)
   }
 }
 
+bool is_scenario_file_in_space(const std::string& path)
+{
+  return is_scenario_file(path) && is_scenario_in_space(path, read_text_file(path));
+}
+
 std::unique_ptr<Motion> open_scenario(const std::string& path, const Overrides& overrides)
 {
+  if (is_scenario_file_in_space(path)) {
+    throw Scenario_error(path, "is in space, and is to be in the plane here");
+  }
   const Scenario_description description = read_scenario_file(path);
   check_overrides(path, overrides);
   if (const auto* particles = std::get_if<Particle_description>(&description.kind)) {
@@ -61,11 +69,6 @@ std::unique_ptr<Motion> open_scenario(const std::string& path, const Overrides& 
     throw Scenario_error(path, "has no packing that could be chosen, it is a random cloud");
   }
   return make_motion(description, std::get<Brownian_description>(description.kind), overrides);
-}
-
-bool is_scenario_file_in_space(const std::string& path)
-{
-  return is_scenario_file(path) && is_scenario_in_space(path, read_text_file(path));
 }
 
 std::unique_ptr<Motion_3> open_scenario_3(const std::string& path, const Overrides& overrides)

@@ -30,12 +30,12 @@ struct Recorded_frame
   std::vector<std::int64_t> ids;
   std::vector<Point> points;
   std::optional<Cell> cell{}; // none where its box is not periodic
+  std::int64_t number = 0;    // in the file, ascending: of the frame, or of the time step
+  std::shared_ptr<const Point_name_list> names{}; // of all frames; null where ids are numbers
   // The third coordinates: 0 where the file has none, NaN where it has something else than a finite
   // number. Empty if all are 0.
   std::vector<double> heights{};
   bool is_periodic_in_z = false;
-  std::int64_t number = 0; // in the file, ascending: of the frame, or of the time step
-  std::shared_ptr<const Point_name_list> names{}; // of all frames; null where ids are numbers
 };
 
 using Recording = std::vector<Recorded_frame>;

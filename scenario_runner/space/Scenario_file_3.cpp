@@ -100,7 +100,15 @@ bool is_scenario_in_space(const std::string& file, const std::string& text)
 {
   const nlohmann::json json = parse_json(file, text);
   const Json_object_reader reader(json, file, "");
-  return reader.has("dimension") && reader.integer("dimension", 2, 3) == 3;
+  if (!reader.has("dimension")) {
+    return false;
+  }
+  if (json["dimension"] != 3) {
+    reader.fail(
+        "key 'dimension' is not 3, for a scenario in space; without it a scenario is in the "
+        "plane");
+  }
+  return true;
 }
 
 Scenario_description_3 parse_scenario_3(const std::string& file, const std::string& text)

@@ -62,7 +62,7 @@ struct Scenario_description_3
 };
 
 // Whether a scenario file has "dimension": 3.
-// \throws Scenario_error, also if the dimension is neither 2 nor 3
+// \throws Scenario_error, also if it has another dimension
 bool is_scenario_in_space(const std::string& file, const std::string& text);
 
 // What a scenario file in space says, as JSON; `file` is what messages call the text.

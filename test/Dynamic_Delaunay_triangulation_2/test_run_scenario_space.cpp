@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -369,6 +370,20 @@ TEST(Files_in_space, have_tetrahedra_that_fill_the_hull)
 }
 
 // SCENARIOS --------------------------------------------------------------------------------------
+
+TEST(Scenario_in_space, says_that_it_is)
+{
+  EXPECT_TRUE(scenario::is_scenario_in_space("file", R"({"dimension": 3})"));
+  EXPECT_FALSE(scenario::is_scenario_in_space("file", R"({"name": "static"})"));
+  for (const char* const dimension : {"2", "4", "3.5", "\"3\"", "null"}) {
+    EXPECT_THROW(
+        scenario::is_scenario_in_space("file", std::string("{\"dimension\": ") + dimension + '}'),
+        scenario::Scenario_error)
+        << dimension;
+  }
+  EXPECT_THROW(scenario::open_motion(scenario::scenario_path("brownian_3")),
+               scenario::Scenario_error);
+}
 
 TEST(Scenario_in_space, refuses_what_it_does_not_know)
 {
