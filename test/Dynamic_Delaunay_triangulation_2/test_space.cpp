@@ -254,7 +254,8 @@ INSTANTIATE_TEST_SUITE_P(far_and_near, Random_programs_in_space,
                                           testing::Values(0.0)));
 
 // 10134: the hole of a vertex that is taken out grows over all cells. 10417: a frame is rebuilt
-// after vertices have changed their numbers.
+// after vertices have changed their numbers. 3142: a vertex is taken out where cells cover space
+// twice, and two vertices coincide.
 class Found_program_in_space : public testing::TestWithParam<std::tuple<int, double, int>>
 {
 };
@@ -271,7 +272,8 @@ TEST_P(Found_program_in_space, stays_exact)
 }
 INSTANTIATE_TEST_SUITE_P(seeds, Found_program_in_space,
                          testing::Values(std::make_tuple(10134, 0.5, 134),
-                                         std::make_tuple(10417, 0.25, 17)));
+                                         std::make_tuple(10417, 0.25, 17),
+                                         std::make_tuple(3142, 0.4, 25)));
 
 TEST(Random_program_in_space, of_an_exact_kernel_stays_exact)
 {
@@ -422,6 +424,27 @@ TEST(Some_points_in_space, move_while_others_stay)
   }
   const std::vector<std::pair<int, Point>> nobody;
   EXPECT_TRUE(dt.move(nobody.begin(), nobody.end()).certified);
+}
+
+TEST(Coincident_points, move_together_and_apart)
+{
+  Points points = random_points(80);
+  for (std::size_t place = 0; place < 20; ++place)
+    points.insert(points.end(), 4, points[place]);
+  Dynamic dt(points);
+  std::mt19937_64 random(1);
+  for (int call = 0; call < 60; ++call) {
+    std::map<std::size_t, Point> movers; // up to 5, most of them from one place
+    const Point here = points[random() % points.size()];
+    for (std::size_t id = random() % 3; id < points.size() && movers.size() < 4; ++id)
+      if (points[id] == here)
+        movers[id] = points[random() % points.size()];
+    movers[random() % points.size()] = here;
+    for (const auto& [id, point] : movers)
+      points[id] = point;
+    EXPECT_FALSE(dt.move(movers.begin(), movers.end()).rebuilt());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points)) << "call " << call;
+  }
 }
 
 TEST(Many_points_in_space, move_by_a_rebuild)
