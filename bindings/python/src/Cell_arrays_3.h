@@ -8,6 +8,7 @@
 #include "bindings/common/Subject.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Iterator_range.h>
 
 #include <algorithm>
 #include <array>
@@ -22,12 +23,12 @@
 // Arrays of a triangulation in space, in linear time. Their rows are ids.
 namespace python {
 
-using bindings::check_length;
-using bindings::Doubles;
-using bindings::Integers;
+using namespace bindings;
 
 using CGAL::Dynamic_Delaunay_triangulations_3::Cell_index;
+using CGAL::Dynamic_Delaunay_triangulations_3::Point_id;
 using CGAL::Dynamic_Delaunay_triangulations_3::Position_3;
+using CGAL::Dynamic_Delaunay_triangulations_3::Vertex_index;
 
 // NaN for removed ids.
 template <class Dynamic>
@@ -37,7 +38,7 @@ Array point_array_3(const Dynamic& dt)
   for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
     if (dt.has_id(id)) {
       const auto p = dt.point(id);
-      std::copy_n(std::array<double, 3>{p.x(), p.y(), p.z()}.begin(), 3, &coordinates[3 * id]);
+      std::copy(p.cartesian_begin(), p.cartesian_end(), &coordinates[3 * id]);
     }
   }
   return {std::move(coordinates), {3}};
@@ -83,10 +84,12 @@ public:
   {
     return m_state.positions.position(m_state.arrays.vertices(c)[place]);
   }
-  std::int32_t id(Cell_index c, int place) const
-  {
-    return std::int32_t(m_state.ids.representative(m_state.arrays.vertices(c)[place]));
-  }
+  Vertex_index vertex(Cell_index c, int place) const { return m_state.arrays.vertices(c)[place]; }
+  std::int32_t id(Vertex_index v) const { return std::int32_t(m_state.ids.representative(v)); }
+  // Of an id that is there.
+  Vertex_index vertex(std::size_t id) const { return m_state.ids.vertex(Point_id(id)); }
+  // The infinite one, which is 0, included.
+  std::size_t number_of_vertices() const { return m_state.number_of_vertices() + std::size_t(1); }
 
   // Calls `f(c)` for each finite cell, in the order of their numbers.
   template <class Function>
@@ -109,39 +112,30 @@ private:
   std::int32_t m_size = 0;
 };
 
-// The ids of the corners of each cell, positively oriented.
-template <class Dynamic>
-Integers corner_ids_3(const Finite_cells_3<Dynamic>& cells)
+// For each corner of each finite cell `value_of(c, place)`.
+template <class Dynamic, class Value>
+Integers corner_values_3(const Finite_cells_3<Dynamic>& cells, const Value& value_of)
 {
-  Integers corners(4 * cells.size());
-  auto corner = corners.begin();
+  Integers values(4 * cells.size());
+  auto value = values.begin();
   cells.for_each([&](Cell_index c) {
     for (int i = 0; i < 4; ++i) {
-      *corner++ = cells.id(c, i);
+      *value++ = value_of(c, i);
     }
   });
-  return corners;
+  return values;
 }
 
-// The cell opposite to each corner, or -1.
-template <class Dynamic>
-Integers neighbor_numbers_3(const Finite_cells_3<Dynamic>& cells)
-{
-  Integers neighbors(4 * cells.size());
-  auto neighbor = neighbors.begin();
-  cells.for_each([&](Cell_index c) {
-    for (int i = 0; i < 4; ++i) {
-      *neighbor++ = cells.number(cells.arrays().neighbor(c, i));
-    }
-  });
-  return neighbors;
-}
-
+// The ids of the corners of each cell, positively oriented, and the cells opposite to them, or -1.
 template <class Dynamic>
 std::vector<Array> simplex_arrays_3(const Dynamic& dt)
 {
   const Finite_cells_3<Dynamic> cells(dt);
-  return {{corner_ids_3(cells), {4}}, {neighbor_numbers_3(cells), {4}}};
+  const auto id = [&](Cell_index c, int place) { return cells.id(cells.vertex(c, place)); };
+  const auto neighbor = [&](Cell_index c, int place) {
+    return cells.number(cells.arrays().neighbor(c, place));
+  };
+  return {{corner_values_3(cells, id), {4}}, {corner_values_3(cells, neighbor), {4}}};
 }
 
 // Of a positive cell; its edges are made about as long as 1 meanwhile, and halved before, so that
@@ -189,51 +183,63 @@ Array volume_array_3(const Dynamic& dt)
 // Lists, one for each row, one after the other: that of row i begins at `begins[i]`.
 struct Row_lists
 {
+  auto operator[](std::size_t row) const
+  {
+    const auto at = [&](std::size_t i) { return entries.begin() + begins[i]; };
+    return CGAL::make_range(at(row), at(row + 1));
+  }
+
   Integers begins, entries;
 };
 
-// The numbers 0, 1, 2, ... of these rows, listed by row.
-inline Row_lists numbers_by_row(const Integers& rows, std::size_t number_of_rows)
+// Lists what `for_each_entry(f)` has, which calls `f(row, entry)` for each entry, the last one
+// first. It is called twice.
+template <class For_each_entry>
+Row_lists listed_by_row(std::size_t number_of_rows, const For_each_entry& for_each_entry)
 {
-  check_length(rows.size());
-  Row_lists lists{Integers(number_of_rows + 1), Integers(rows.size())};
-  for (const std::int32_t row : rows) {
+  Row_lists lists{Integers(number_of_rows + 1), {}};
+  std::size_t size = 0;
+  for_each_entry([&](std::int32_t row, std::int32_t) {
     ++lists.begins[std::size_t(row)];
-  }
+    ++size;
+  });
+  check_length(size);
+  lists.entries.resize(size);
   std::partial_sum(lists.begins.begin(), lists.begins.end(), lists.begins.begin());
-  for (std::size_t i = rows.size(); i-- > 0;) { // each list from its end on
-    lists.entries[std::size_t(--lists.begins[std::size_t(rows[i])])] = std::int32_t(i);
-  }
+  for_each_entry([&](std::int32_t row, std::int32_t entry) {
+    lists.entries[std::size_t(--lists.begins[std::size_t(row)])] = entry;
+  });
   return lists;
 }
 
-// The neighbors of each id, ascending: the other corners of its cells, of which there are four ids
-// each, and the other ends of pairs, which have two.
-inline Row_lists neighbor_lists_3(const Integers& corners, const Integers& pairs,
-                                  std::size_t number_of_ids)
+// The neighbors of each vertex, in any order: the other corners of its cells.
+template <class Dynamic>
+Row_lists neighbor_vertices_3(const Finite_cells_3<Dynamic>& cells)
 {
-  const Row_lists cells = numbers_by_row(corners, number_of_ids),
-                  ends = numbers_by_row(pairs, number_of_ids);
-  Row_lists lists;
-  lists.begins.reserve(number_of_ids + 1);
-  lists.entries.reserve(corners.size()); // a vertex has half as many cells as neighbors, and more
-  lists.begins.push_back(0);
-  Integers seen_by(number_of_ids, -1);
-  for (std::size_t id = 0; id < number_of_ids; ++id) {
-    const auto add = [&](std::int32_t other) {
-      if (std::exchange(seen_by[std::size_t(other)], std::int32_t(id)) != std::int32_t(id)) {
-        lists.entries.push_back(other);
-      }
-    };
-    seen_by[id] = std::int32_t(id);
-    for (auto i = cells.begins[id]; i < cells.begins[id + 1]; ++i) {
-      const std::size_t cell = std::size_t(cells.entries[std::size_t(i)]) / 4;
-      std::for_each_n(&corners[4 * cell], 4, add);
+  const Integers corners = corner_values_3(
+      cells, [&](Cell_index c, int place) { return std::int32_t(cells.vertex(c, place)); });
+  const Row_lists corners_of = listed_by_row(cells.number_of_vertices(), [&](const auto& f) {
+    for (std::size_t i = corners.size(); i-- > 0;) {
+      f(corners[i], std::int32_t(i));
     }
-    for (auto i = ends.begins[id]; i < ends.begins[id + 1]; ++i) {
-      add(pairs[std::size_t(ends.entries[std::size_t(i)]) ^ 1]);
+  });
+  Row_lists lists{{0}, {}};
+  lists.begins.reserve(cells.number_of_vertices() + 1);
+  lists.entries.reserve(16 * cells.number_of_vertices());
+  Integers seen_by(cells.number_of_vertices(), -1), found;
+  for (std::size_t v = 0; v < cells.number_of_vertices(); ++v) {
+    const auto its_corners = corners_of[v];
+    found.resize(4 * its_corners.size() + 1);
+    std::size_t size = 0;
+    seen_by[v] = std::int32_t(v);
+    for (const std::int32_t corner : its_corners) {
+      const auto first = corners.begin() + (corner - corner % 4);
+      std::for_each(first, first + 4, [&](std::int32_t w) { // without branches: none is foreseen
+        found[size] = w;
+        size += std::exchange(seen_by[std::size_t(w)], std::int32_t(v)) != std::int32_t(v);
+      });
     }
-    std::sort(lists.entries.begin() + lists.begins.back(), lists.entries.end());
+    lists.entries.insert(lists.entries.end(), found.begin(), found.begin() + std::ptrdiff_t(size));
     check_length(lists.entries.size());
     lists.begins.push_back(std::int32_t(lists.entries.size()));
   }
@@ -251,25 +257,44 @@ Integers flat_edges_3(const Dynamic& dt)
   return edges;
 }
 
+// The neighbors of each id, ascending: by cells, and the other ends of pairs. First those of
+// vertices are found, as vertices that are close in space are close in memory. Ids may be anywhere.
 template <class Dynamic>
-Row_lists neighbor_lists_3(const Dynamic& dt, Integers pairs)
+Row_lists neighbor_lists_3(const Dynamic& dt, const Integers& pairs)
 {
-  if (dt.dimension() < 3) {
-    const Integers edges = flat_edges_3(dt);
-    pairs.insert(pairs.end(), edges.begin(), edges.end());
-  }
-  return neighbor_lists_3(corner_ids_3(Finite_cells_3<Dynamic>(dt)), pairs, dt.number_of_ids());
+  const Finite_cells_3<Dynamic> cells(dt);
+  const Row_lists neighbors = neighbor_vertices_3(cells);
+  const Row_lists ends = listed_by_row(dt.number_of_ids(), [&](const auto& f) {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      f(pairs[i], pairs[i ^ 1]);
+    }
+  });
+  return listed_by_row(dt.number_of_ids(), [&](const auto& f) { // who is a neighbor has this one
+    for (std::size_t id = dt.number_of_ids(); id-- > 0;) {
+      if (dt.has_id(id) && dt.representative(id) == id) {
+        for (const std::int32_t w : neighbors[cells.vertex(id)]) {
+          f(cells.id(Vertex_index(w)), std::int32_t(id));
+        }
+      }
+      for (const std::int32_t end : ends[id]) {
+        f(end, std::int32_t(id));
+      }
+    }
+  });
 }
 
 template <class Dynamic>
 Array edge_array_3(const Dynamic& dt)
 {
+  if (dt.dimension() < 3) {
+    return {flat_edges_3(dt), {2}};
+  }
   const Row_lists lists = neighbor_lists_3(dt, {});
   Integers edges;
   edges.reserve(lists.entries.size());
   for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
-    for (auto i = lists.begins[id]; i < lists.begins[id + 1]; ++i) {
-      if (const std::int32_t other = lists.entries[std::size_t(i)]; other > std::int32_t(id)) {
+    for (const std::int32_t other : lists[id]) {
+      if (other > std::int32_t(id)) {
         edges.insert(edges.end(), {std::int32_t(id), other});
       }
     }
@@ -280,7 +305,12 @@ Array edge_array_3(const Dynamic& dt)
 template <class Dynamic>
 std::vector<Array> neighbor_list_arrays_3(const Dynamic& dt)
 {
-  Row_lists lists = neighbor_lists_3(dt, duplicate_pairs_3(dt));
+  Integers pairs = duplicate_pairs_3(dt);
+  if (dt.dimension() < 3) {
+    const Integers edges = flat_edges_3(dt);
+    pairs.insert(pairs.end(), edges.begin(), edges.end());
+  }
+  Row_lists lists = neighbor_lists_3(dt, pairs);
   return {{std::move(lists.begins)}, {std::move(lists.entries)}};
 }
 

@@ -30,7 +30,7 @@ class Subject_3
 
   static auto positions(const Rows& points)
   {
-    return bindings::row_range(points.size, bindings::Read_point<Point>{points});
+    return row_range(points.size, Read_point<Point>{points});
   }
 
 public:
@@ -40,15 +40,14 @@ public:
 
   Report update(const Rows& points)
   {
-    if (const Point* const first = bindings::points_in_memory<Point>(points)) {
+    if (const Point* const first = points_in_memory<Point>(points)) {
       return m_triangulation.update(first, first + points.size);
     }
     return m_triangulation.update(positions(points));
   }
   Report move(const Rows& ids, const Rows& points)
   {
-    const auto movers =
-        bindings::row_range(points.size, bindings::Read_identified_point<Point>{ids, points});
+    const auto movers = row_range(points.size, Read_identified_point<Point>{ids, points});
     return m_triangulation.move(movers.begin(), movers.end());
   }
   Report insert(const Rows& points, std::vector<std::size_t>& new_ids)
@@ -58,7 +57,7 @@ public:
   }
   Report remove(const Rows& ids)
   {
-    const auto gone = bindings::row_range(ids.size, bindings::Read_id{ids});
+    const auto gone = row_range(ids.size, Read_id{ids});
     return m_triangulation.remove(gone.begin(), gone.end());
   }
   Report mend() { return m_triangulation.mend(); }
@@ -69,7 +68,7 @@ public:
   {
     switch (group) {
     case Group::IDS:
-      return {bindings::id_array(m_triangulation, [](std::size_t id) { return id; })};
+      return {id_array(m_triangulation, [](std::size_t id) { return id; })};
     case Group::POINTS:
       return {point_array_3(m_triangulation)};
     case Group::DUPLICATES:
