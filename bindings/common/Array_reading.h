@@ -4,6 +4,7 @@
 #ifndef BINDINGS_ARRAY_READING_H
 #define BINDINGS_ARRAY_READING_H
 
+#include "bindings/common/Array_numbers.h"
 #include "bindings/common/Change_reading.h"
 #include "bindings/common/Subject.h"
 
@@ -19,7 +20,6 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
-#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -32,17 +32,6 @@ template <class... Parameters>
 constexpr bool
     is_periodic_triangulation<CGAL::Dynamic_periodic_Delaunay_triangulation_2<Parameters...>> =
         true;
-
-using Integers = std::vector<std::int32_t>;
-using Doubles = std::vector<double>;
-
-// As SciPy's, arrays have 32 bits for each number. Checked once, for the longest array.
-inline void check_length(std::size_t length)
-{
-  if (length > std::size_t((std::numeric_limits<std::int32_t>::max)())) {
-    throw std::length_error("there are too many neighbors for arrays of 32 bits");
-  }
-}
 
 // The rows of ids: the id itself, or the number of smaller ids that exist.
 class Row_numbers
@@ -78,19 +67,6 @@ private:
 inline void append(Integers& numbers, const CGAL::Periodic_shift_2& shift)
 {
   numbers.insert(numbers.end(), {shift[0], shift[1]});
-}
-
-template <class Dynamic, class User_id>
-Array id_array(const Dynamic& dt, const User_id& user_id)
-{
-  std::vector<std::int64_t> ids;
-  ids.reserve(dt.number_of_points());
-  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
-    if (dt.has_id(id)) {
-      ids.push_back(std::int64_t(user_id(id)));
-    }
-  }
-  return {std::move(ids)};
 }
 
 template <class Dynamic>

@@ -5,6 +5,7 @@
 #define BINDINGS_ERROR_DESCRIPTION_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_errors_3.h>
 
 #include <cstddef>
 #include <exception>
@@ -48,6 +49,15 @@ inline std::optional<Error_description> error_description(const std::exception_p
     return Description{"CoordinateRangeError",
                        e.what(),
                        {{"id", e.id()}, {"x", e.x()}, {"y", e.y()}, {"limit", e.limit()}}};
+  } catch (const CGAL::Non_finite_coordinate_error_3& e) {
+    return Description{"NonFiniteCoordinateError",
+                       e.what(),
+                       {{"id", e.id()}, {"x", e.x()}, {"y", e.y()}, {"z", e.z()}}};
+  } catch (const CGAL::Coordinate_range_error_3& e) {
+    return Description{
+        "CoordinateRangeError",
+        e.what(),
+        {{"id", e.id()}, {"x", e.x()}, {"y", e.y()}, {"z", e.z()}, {"limit", e.limit()}}};
   } catch (const CGAL::Point_count_error_2& e) {
     return Description{
         "PointCountError", e.what(), {{"expected", e.expected()}, {"given", e.given()}}};

@@ -13,7 +13,8 @@
 namespace bindings {
 
 // Null if the frame was not triangulated anew.
-inline const char* rebuild_reason(const CGAL::Update_report_2& report)
+template <class Report>
+const char* rebuild_reason(const Report& report)
 {
   return report.rebuilt() ? run::rebuild_reason_name(report.rebuild_reason) : nullptr;
 }

@@ -6,6 +6,8 @@
 
 #include "bindings/common/Subject.h"
 
+#include <CGAL/Dimension.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -31,6 +33,7 @@ public:
   }
 
   reference operator*() const { return m_read(std::size_t(m_row)); }
+  reference operator[](difference_type rows) const { return m_read(std::size_t(m_row + rows)); }
   Row_iterator& operator++()
   {
     ++m_row;
@@ -70,11 +73,18 @@ Row_range<Read> row_range(std::size_t size, const Read& read)
 }
 
 template <class Point>
+inline constexpr int dimension_of = CGAL::Ambient_dimension<Point>::value;
+
+template <class Point>
 struct Read_point
 {
   Point operator()(std::size_t i) const
   {
-    return Point(rows.at<double>(i, 0), rows.at<double>(i, 1));
+    if constexpr (dimension_of<Point> == 3) {
+      return Point(rows.at<double>(i, 0), rows.at<double>(i, 1), rows.at<double>(i, 2));
+    } else {
+      return Point(rows.at<double>(i, 0), rows.at<double>(i, 1));
+    }
   }
   Rows rows;
 };
@@ -83,7 +93,8 @@ struct Read_point
 template <class Point>
 const Point* points_in_memory(const Rows& rows)
 {
-  static_assert(sizeof(Point) == 2 * sizeof(double), "a point is two doubles");
+  static_assert(sizeof(Point) == dimension_of<Point> * sizeof(double),
+                "a point is its coordinates");
   const bool are_points = rows.to_next_row == std::ptrdiff_t(sizeof(Point)) &&
                           rows.to_next_column == std::ptrdiff_t(sizeof(double)) &&
                           reinterpret_cast<std::uintptr_t>(rows.data) % alignof(Point) == 0;

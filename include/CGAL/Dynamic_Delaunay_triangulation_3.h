@@ -242,19 +242,37 @@ public:
     return update(std::begin(range), std::end(range), point_map);
   }
 
-  /// moves one point. Cost: about a tenth of a millisecond.
-  /// \throws Unknown_id_error_2 if no point has this id.
+  /// moves some points, and repairs what that breaks; all others stay. Cost: about a tenth of a
+  /// millisecond each, but never much more than to triangulate all points anew.
+  ///
+  /// Nothing changes if it throws one of these, or if the range throws.
+  /// \tparam InputIterator its values are pairs of an id and a `Point`.
+  /// \throws Unknown_id_error_2 if no point has one of the ids.
+  /// \throws Repeated_id_error_2 if an id is there more than once.
   /// \throws Non_finite_coordinate_error_3 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_3 if a coordinate is too large for this program.
-  Update_report_3 move(size_type id, const Point& point)
+  /// \post `is_certified()`
+  template <class InputIterator>
+  Update_report_3 move(InputIterator first, InputIterator beyond)
   {
     const Floating_point floating_point;
-    check_id(id);
-    Dynamic_Delaunay_triangulations_3::internal::checked_position(point, id);
     Change change;
-    change.moved.emplace_back(id);
-    change.moved_points.push_back(point);
+    for (; first != beyond; ++first) {
+      const auto& [id, point] = *first;
+      check_id(size_type(id));
+      Dynamic_Delaunay_triangulations_3::internal::checked_position<Point>(point, size_type(id));
+      change.moved.emplace_back(id);
+      change.moved_points.push_back(point);
+    }
+    Dynamic_Delaunay_triangulations_2::internal::check_distinct(change.moved);
     return run(change);
+  }
+
+  /// moves one point.
+  Update_report_3 move(size_type id, const Point& point)
+  {
+    const std::pair<size_type, Point> mover(id, point);
+    return move(&mover, &mover + 1);
   }
 
   /// @}

@@ -254,7 +254,8 @@ INSTANTIATE_TEST_SUITE_P(far_and_near, Random_programs_in_space,
                                           testing::Values(0.0)));
 
 // 10134: the hole of a vertex that is taken out grows over all cells. 10417: a frame is rebuilt
-// after vertices have changed their numbers.
+// after vertices have changed their numbers. 3142: a vertex is taken out where cells cover space
+// twice, and two vertices coincide.
 class Found_program_in_space : public testing::TestWithParam<std::tuple<int, double, int>>
 {
 };
@@ -271,7 +272,8 @@ TEST_P(Found_program_in_space, stays_exact)
 }
 INSTANTIATE_TEST_SUITE_P(seeds, Found_program_in_space,
                          testing::Values(std::make_tuple(10134, 0.5, 134),
-                                         std::make_tuple(10417, 0.25, 17)));
+                                         std::make_tuple(10417, 0.25, 17),
+                                         std::make_tuple(3142, 0.4, 25)));
 
 TEST(Random_program_in_space, of_an_exact_kernel_stays_exact)
 {
@@ -402,6 +404,61 @@ TEST(Filter_in_space, proves_the_same_in_all_lanes)
   }
 }
 
+// SOME POINTS MOVE --------------------------------------------------------------------------------
+
+TEST(Some_points_in_space, move_while_others_stay)
+{
+  Points points = random_points(200);
+  Dynamic dt(points);
+  std::mt19937_64 random(1);
+  for (int call = 0; call < 10; ++call) {
+    std::vector<std::pair<int, Point>> movers;
+    const Points targets = random_points(5, unsigned(call + 2));
+    for (std::size_t id = random() % 40; id < 200; id += 40)
+      movers.emplace_back(int(id), targets[movers.size()]);
+    movers.back().second = points[42]; // they come to coincide, and part in a later call
+    for (const auto& [id, point] : movers)
+      points[std::size_t(id)] = point;
+    EXPECT_FALSE(dt.move(movers.begin(), movers.end()).rebuilt());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  }
+  const std::vector<std::pair<int, Point>> nobody;
+  EXPECT_TRUE(dt.move(nobody.begin(), nobody.end()).certified);
+}
+
+TEST(Coincident_points, move_together_and_apart)
+{
+  Points points = random_points(80);
+  for (std::size_t place = 0; place < 20; ++place)
+    points.insert(points.end(), 4, points[place]);
+  Dynamic dt(points);
+  std::mt19937_64 random(1);
+  for (int call = 0; call < 60; ++call) {
+    std::map<std::size_t, Point> movers; // up to 5, most of them from one place
+    const Point here = points[random() % points.size()];
+    for (std::size_t id = random() % 3; id < points.size() && movers.size() < 4; ++id)
+      if (points[id] == here)
+        movers[id] = points[random() % points.size()];
+    movers[random() % points.size()] = here;
+    for (const auto& [id, point] : movers)
+      points[id] = point;
+    EXPECT_FALSE(dt.move(movers.begin(), movers.end()).rebuilt());
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points)) << "call " << call;
+  }
+}
+
+TEST(Many_points_in_space, move_by_a_rebuild)
+{
+  const Points points = random_points(200), targets = random_points(200, 2);
+  Dynamic dt(points);
+  std::vector<std::pair<std::size_t, Point>> movers;
+  for (std::size_t id = 0; id < 200; ++id)
+    movers.emplace_back(id, targets[id]);
+  EXPECT_EQ(dt.move(movers.begin(), movers.end()).rebuild_reason,
+            CGAL::Rebuild_reason_2::POPULATION);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, targets));
+}
+
 // IDS AND ERRORS ----------------------------------------------------------------------------------
 
 TEST(Ids_in_space, are_reused_from_the_smallest_on)
@@ -445,6 +502,23 @@ TEST(Wrong_input_in_space, is_refused_before_anything_changes)
   expect_refused<CGAL::Unknown_id_error_2>([&] { dt.remove(20); }, "no point with id 20");
   expect_refused<CGAL::Unknown_id_error_2>([&] { dt.move(20, points[0]); }, "no point with id 20");
   expect_refused<CGAL::Unknown_id_error_2>([&] { dt.point(20); }, "no point with id 20");
+  using Movers = std::vector<std::pair<std::size_t, Point>>;
+  const auto move = [&](const Movers& movers) { dt.move(movers.begin(), movers.end()); };
+  expect_refused<CGAL::Non_finite_coordinate_error_3>(
+      [&] {
+        move({{1, points[2]}, {3, wrong[7]}});
+      },
+      "point 3 has");
+  expect_refused<CGAL::Unknown_id_error_2>(
+      [&] {
+        move({{1, points[2]}, {20, points[3]}});
+      },
+      "no point with id 20");
+  expect_refused<CGAL::Repeated_id_error_2>(
+      [&] {
+        move({{1, points[2]}, {1, points[3]}});
+      },
+      "1 is there more than");
   expect_refused<CGAL::Repeated_id_error_2>([&] { dt.remove({1, 2, 1}); }, "1 is there more than");
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }

@@ -3,18 +3,19 @@
 
 """Delaunay triangulations of moving points, kept exact while the points move.
 
-``DynamicDelaunay`` for points in the plane, ``PeriodicDelaunay`` for periodic cells, ``Population`` for points that
+``DynamicDelaunay`` for points in the plane or in space, ``PeriodicDelaunay`` for periodic cells, ``Population`` for points that
 come and go, ``track()`` for whole trajectories, and ``read_recording()`` for files of them.
 """
 
 from . import errors
-from ._core import ClassifierFrame, UpdateReport, __version__
+from ._core import ClassifierFrame, UpdateReport, UpdateReport3D, __version__
 from ._triangulations import CellMeasures, DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population
 from .bounded import BoundedCellGradients, BoundedCells, CellPieces, CellSurface, Side
 from .errors import *  # noqa: F403
 from .neighbors import NeighborList
 from .queries import AlphaClass, AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
 from .recording import RecordedFrame, read_recording
+from .space import DynamicDelaunay3D
 from .trajectory import Frame, track
 
 __all__ = [
@@ -27,6 +28,7 @@ __all__ = [
     "CellSurface",
     "ClassifierFrame",
     "DynamicDelaunay",
+    "DynamicDelaunay3D",
     "Frame",
     "InterpolationWeights",
     "NearestPoints",
@@ -38,6 +40,7 @@ __all__ = [
     "RecordedFrame",
     "Side",
     "UpdateReport",
+    "UpdateReport3D",
     "__version__",
     "errors",
     "read_recording",

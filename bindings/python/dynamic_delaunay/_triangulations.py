@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import operator
 import os
 from collections.abc import Callable
 from typing import Any, NamedTuple, Optional, TypeVar, Union
@@ -12,7 +11,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
+from ._arguments import are_in_space, as_index, as_integer, as_list, as_rows, number_of_processors
 from ._core import ClassifierFrame, Group, Query, UpdateReport
+from ._rows import Rows, ScipyNames
 from .bounded import BoundedCells, Domain, rings_of
 from .errors import (
     InputIndexError,
@@ -25,6 +26,7 @@ from .errors import (
 )
 from .neighbors import NeighborList
 from .queries import AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
+from .space import DynamicDelaunay3D
 
 Classifier = Union[str, Callable[[ClassifierFrame], Any]]
 Self = TypeVar("Self", bound="_Triangulation")
@@ -59,44 +61,9 @@ def _settings(
         repair=repair or "",
         policy=policy,
         changes=bool(changes),
-        threads=_integer("threads", threads, 2**31),
-        seed=_integer("seed", seed, 2**64),
+        threads=as_integer("threads", threads, 2**31),
+        seed=as_integer("seed", seed, 2**64),
     )
-
-
-def _index(name: str, number: Any) -> int:
-    try:
-        return operator.index(number)
-    except TypeError:
-        raise InputTypeError(f"{name} is {number!r}: it must be an integer") from None
-
-
-def _integer(name: str, number: Any, bound: int) -> int:
-    integer = _index(name, number)
-    if not 0 <= integer < bound:
-        raise InputValueError(f"{name} is {integer}: it must be from 0 to {bound - 1}")
-    return integer
-
-
-def _processors() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-
-
-def _rows(points: ArrayLike) -> ArrayLike:
-    """One point (2,) becomes (1, 2). What is no array at all is refused where points are read."""
-    try:
-        array = np.asarray(points)
-    except (TypeError, ValueError):
-        return points
-    return array[np.newaxis] if array.shape == (2,) else points
-
-
-def _list(ids: ArrayLike) -> ArrayLike:
-    """One id becomes (1,)."""
-    try:
-        return np.atleast_1d(ids)
-    except (TypeError, ValueError):
-        return ids
 
 
 def _floats(name: str, numbers: ArrayLike) -> NDArray[np.float64]:
@@ -138,12 +105,8 @@ def _cell_array(cell: _core.Cell) -> NDArray[np.float64]:
     return vectors[:1] if cell.is_slab else vectors
 
 
-class _Triangulation(_core.Triangulation):
-    """What all triangulations have in common.
-
-    Arrays are read-only, and are computed when they are first asked for after a change. They own their numbers: an
-    array that is kept stays as it was, and ``is_current()`` says whether it still describes the triangulation.
-    """
+class _Triangulation(Rows, _core.Triangulation):
+    """What triangulations in the plane and in periodic space have in common."""
 
     _settings: dict[str, Any]
 
@@ -153,14 +116,9 @@ class _Triangulation(_core.Triangulation):
         return self
 
     def _init(self, population: bool, cell: Optional[_core.Cell], settings: dict[str, Any]) -> None:
-        chosen: dict[str, Any] = {**settings, "threads": settings["threads"] or _processors()}
+        chosen: dict[str, Any] = {**settings, "threads": settings["threads"] or number_of_processors()}
         self._start(population=population, cell=cell, **chosen)
         self._settings = settings
-
-    def is_current(self, array: NDArray[Any]) -> bool:
-        """Whether an array is one of this triangulation's, and nothing has changed since it was made. Views of an
-        array, such as slices, are not known: ask for the array itself."""
-        return self._is_current(array)
 
     def _changes(self) -> tuple[NDArray[Any], ...]:
         if not getattr(self, "_settings", {"changes": True})["changes"]:
@@ -169,49 +127,14 @@ class _Triangulation(_core.Triangulation):
         return self._arrays(Group.CHANGES)
 
     @property
-    def ids(self) -> NDArray[np.int64]:
-        """int64 (n,): the ids of all points; those that the user chose in the order of the rows, others ascending."""
-        return self._arrays(Group.IDS)[0]
-
-    @property
     def points(self) -> NDArray[np.float64]:
         """float64 (rows, 2): the position of each row, NaN for a removed id."""
         return self._arrays(Group.POINTS)[0]
 
     @property
-    def duplicates(self) -> NDArray[np.int32]:
-        """int32 (m, 2): rows of points that coincide with another one, and of that one, which represents them. Only
-        the other one is in edges and triangles."""
-        return self._arrays(Group.DUPLICATES)[0]
-
-    @property
-    def edges(self) -> NDArray[np.int32]:
-        """int32 (edges, 2): rows of both ends of each edge."""
-        return self._arrays(Group.EDGES)[0]
-
-    @property
     def triangles(self) -> NDArray[np.int32]:
         """int32 (triangles, 3): rows of the corners, counterclockwise."""
         return self._arrays(Group.TRIANGLES)[0]
-
-    @property
-    def indptr(self) -> NDArray[np.int32]:
-        """int32 (rows + 1,): where the neighbors of each row begin in ``indices``, as in SciPy's CSR matrices."""
-        return self._arrays(Group.NEIGHBOR_LISTS)[0]
-
-    @property
-    def indices(self) -> NDArray[np.int32]:
-        """int32 (pairs,): the neighbors of all rows, counterclockwise around each."""
-        return self._arrays(Group.NEIGHBOR_LISTS)[1]
-
-    def neighbors_of(self, row: int) -> NDArray[np.int32]:
-        """int32 (k,): the rows of the neighbors of one row, counterclockwise."""
-        indptr, indices = self._arrays(Group.NEIGHBOR_LISTS)[:2]
-        row = _index("the row", row)
-        if not 0 <= row < len(indptr) - 1:
-            raise InputIndexError(f"there is no row {row}: they are from 0 to before {len(indptr) - 1}")
-        neighbors: NDArray[np.int32] = indices[indptr[row] : indptr[row + 1]]
-        return neighbors
 
     @property
     def areas(self) -> NDArray[np.float64]:
@@ -245,7 +168,7 @@ class _Triangulation(_core.Triangulation):
 
     def voronoi_cell(self, id: int) -> NDArray[np.float64]:
         """float64 (k, 2): the corners of the Voronoi cell of a point, counterclockwise; none if it is unbounded."""
-        integer = _index("the id", id)
+        integer = as_index("the id", id)
         if not -(2**63) <= integer < 2**63:
             raise UnknownIdError(f"there is no point with id {integer}: ids have 64 bits")
         return self._cell_corners(integer)
@@ -282,7 +205,7 @@ class _Triangulation(_core.Triangulation):
         Decided exactly. Cost: about n**(1/3) for each query point; less if it is near the last one.
 
         NonFiniteCoordinateError if a query point is not finite; its ``id`` is the number of the query point."""
-        return NearestPoints(*self._answer(Query.NEAREST, _rows(query_points), 0.0))
+        return NearestPoints(*self._answer(Query.NEAREST, as_rows(query_points), 0.0))
 
     def _lists(
         self, query: Query, query_points: ArrayLike, extent: float = 0.0
@@ -290,7 +213,7 @@ class _Triangulation(_core.Triangulation):
         """What is found for each query point, and the numbers of query points and rows."""
         while True:
             rows = self._number_of_rows
-            arrays = self._answer(query, _rows(query_points), extent)
+            arrays = self._answer(query, as_rows(query_points), extent)
             if rows == self._number_of_rows:  # else another thread has changed the triangulation in between
                 return arrays, (len(arrays[0]) - 1, rows)
 
@@ -389,20 +312,6 @@ class _Triangulation(_core.Triangulation):
         others = {name: value for name, value in vars(self).items() if name != "_settings"}
         return _restored, (type(self), self._settings, checkpoint), others or None
 
-    def __len__(self) -> int:
-        return self.number_of_points
-
-    def __contains__(self, id: object) -> bool:
-        try:
-            integer = operator.index(id)  # type: ignore[arg-type]
-        except TypeError:
-            return False
-        return -(2**63) <= integer < 2**63 and self._has_id(integer)
-
-    def __repr__(self) -> str:
-        certified = "certified" if self.is_certified else "not certified"
-        return f"<{type(self).__name__} of {self.number_of_points} points, {certified}>"
-
 
 def _nothing_bounds_cells(has_domains: bool) -> ParameterError:
     wanted = "a radius, bounded_cells(2.5), or a domain, bounded_cells(domain=corners)"
@@ -430,7 +339,7 @@ def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> 
     return triangulation
 
 
-class _Planar(_Triangulation):
+class _Planar(ScipyNames, _Triangulation):
     """What triangulations in the plane have in common, beside what SciPy's have."""
 
     @property
@@ -445,17 +354,6 @@ class _Planar(_Triangulation):
         return self.triangles
 
     @property
-    def npoints(self) -> int:
-        """The number of rows, as SciPy calls it."""
-        return len(self.points)
-
-    @property
-    def vertex_neighbor_vertices(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
-        """``indptr`` and ``indices``, by the name that SciPy has for them."""
-        indptr, indices = self._arrays(Group.NEIGHBOR_LISTS)[:2]
-        return indptr, indices
-
-    @property
     def convex_hull(self) -> NDArray[np.int32]:
         """int32 (k, 2): rows of both ends of each edge of the convex hull, with the inside on the left."""
         triangles, neighbors = self._arrays(Group.TRIANGLES)
@@ -467,7 +365,7 @@ class _Planar(_Triangulation):
     def find_simplex(self, query_points: ArrayLike) -> Union[int, NDArray[np.int32]]:
         """int32 (m,) for query points (m, 2), an int for one, (2,): the triangle in which each of them is, boundary
         included; -1 outside of all. Decided exactly. Cost: about n**(1/3) for each query point."""
-        found = self._find_simplex(_rows(query_points))
+        found = self._find_simplex(as_rows(query_points))
         return int(found[0]) if np.ndim(query_points) == 1 and len(found) == 1 else found
 
     def clipped_cells(self, box: ArrayLike) -> CellMeasures:
@@ -526,15 +424,15 @@ class _ByNumbers(_Triangulation):
 
     def insert(self, points: ArrayLike) -> NDArray[np.int64]:
         """Add points, float (m, 2), or one, (2,); return their ids, int64 (m,)."""
-        return self._insert(_rows(points), None)
+        return self._insert(as_rows(points), None)
 
     def remove(self, ids: ArrayLike) -> UpdateReport:
         """Remove points by their ids, int (m,), or one."""
-        return self._remove(_list(ids))
+        return self._remove(as_list(ids))
 
     def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
         """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
-        return self._move(_list(ids), _rows(points))
+        return self._move(as_list(ids), as_rows(points))
 
     @property
     def created_edges(self) -> NDArray[np.int32]:
@@ -547,8 +445,19 @@ class _ByNumbers(_Triangulation):
         return self._changes()[1]
 
 
-class DynamicDelaunay(_ByNumbers, _Planar):
-    """The Delaunay triangulation of moving points in the plane.
+class _ByShape(_Triangulation):
+    """What makes a triangulation in space of points (n, 3). A class of its own, so that ``DynamicDelaunay`` has the
+    signature of its ``__init__()``."""
+
+    def __new__(cls, points: Any = None, *arguments: Any, **settings: Any) -> Any:
+        if cls is DynamicDelaunay and are_in_space(points):
+            return DynamicDelaunay3D(points, *arguments, **settings)
+        return super().__new__(cls)
+
+
+class DynamicDelaunay(_ByNumbers, _Planar, _ByShape):
+    """The Delaunay triangulation of moving points in the plane; of points (n, 3) it becomes a DynamicDelaunay3D, which
+    of the parameters has ``threads`` alone.
 
     Points have the ids 0, 1, 2, ... in the order in which they are given, and keep them; the id of a removed point is
     free, and the next point gets the smallest free id. Arrays have a row for each id that was ever in use.
@@ -648,15 +557,15 @@ class _ByIds(_Triangulation):
 
     def insert(self, id: int, point: ArrayLike) -> None:
         """Add one point, float (2,), by a new id."""
-        self._insert(_rows(point), _list(id))
+        self._insert(as_rows(point), as_list(id))
 
     def remove(self, id: int) -> UpdateReport:
         """Remove one point."""
-        return self._remove(_list(id))
+        return self._remove(as_list(id))
 
     def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
         """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
-        return self._move(_list(ids), _rows(points))
+        return self._move(as_list(ids), as_rows(points))
 
     @property
     def created_edges(self) -> NDArray[np.int64]:

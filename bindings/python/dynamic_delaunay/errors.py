@@ -28,19 +28,23 @@ class UseError(DynamicDelaunayError, RuntimeError, AttributeError):
 
 
 class NonFiniteCoordinateError(DynamicDelaunayError, ValueError):
-    """A coordinate is NaN or infinite. ``id`` of the point, ``x``, ``y``. Where ids are given: its place."""
+    """A coordinate is NaN or infinite. ``id`` of the point, ``x``, ``y``, in space ``z``. Where ids are given: its
+    place."""
 
     id: int
     x: float
     y: float
+    z: float
 
 
 class CoordinateRangeError(DynamicDelaunayError, ValueError):
-    """A coordinate is too large. ``id`` of the point, ``x``, ``y``, ``limit``. Where ids are given: its place."""
+    """A coordinate is too large. ``id`` of the point, ``x``, ``y``, in space ``z``, ``limit``. Where ids are given: its
+    place."""
 
     id: int
     x: float
     y: float
+    z: float
     limit: float
 
 
@@ -71,7 +75,8 @@ class RepeatedIdError(DynamicDelaunayError, ValueError):
 
 
 class UncertifiedTriangulationError(DynamicDelaunayError, RuntimeError, AttributeError):
-    """What is asked for needs an exact triangulation: call ``mend()`` after a heuristic update."""
+    """What is asked for needs an exact triangulation: call ``mend()`` after a heuristic update, or in
+    space after one for which memory did not suffice."""
 
 
 class NotRecordedError(InputValueError, AttributeError):

@@ -6,12 +6,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import Any, NamedTuple, Optional, Union
+from typing import Any, NamedTuple, Optional, Union, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._arguments import are_in_space
 from ._core import UpdateReport
 from ._triangulations import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population
 from .errors import (
@@ -23,6 +24,7 @@ from .errors import (
     PeriodicRangeError,
 )
 from .recording import RecordedFrame
+from .space import DynamicDelaunay3D
 
 Followed = Union[DynamicDelaunay, PeriodicDelaunay, Population, PeriodicPopulation]
 
@@ -31,8 +33,9 @@ class _FrameFields(NamedTuple):
     number: Any
     """of the frame, from 0, or what the table or the recording says"""
     triangulation: Followed
+    """or, of points in space, a DynamicDelaunay3D"""
     report: UpdateReport
-    """what the update did"""
+    """what the update did; in space an UpdateReport3D"""
 
 
 class Frame(_FrameFields):
@@ -82,15 +85,15 @@ def track(trajectory: Any, cell: Any = None, *, progress: bool = False, **settin
     Parameters
     ----------
     trajectory
-        An array (frames, n, 2), or anything that iterates over arrays (n, 2), or over pairs (ids, points) if points
-        come and go; what ``read_recording()`` returns; or a pandas table with the columns frame, id, x and y, in any
+        An array (frames, n, 2), or anything that iterates over arrays (n, 2), or (n, 3) for points in space, or over
+        pairs (ids, points) if points in the plane come and go; what ``read_recording()`` returns; or a pandas table with the columns frame, id, x and y, in any
         order of rows, by these names or by those of trackpy, TrackMate, PedPy and others. Ids are integers or text.
     cell
         Of a periodic space; see PeriodicDelaunay. Without it a recording has its own cells.
     progress : bool
         Whether tqdm shows how far it is, if it is installed.
     settings
-        classifier, repair and so on, as of DynamicDelaunay or Population.
+        classifier, repair and so on, as of DynamicDelaunay or Population; threads alone for points in space.
 
     What is wrong with a frame is an error of the package, whose message begins with the frame.
     """
@@ -134,6 +137,8 @@ def _follow(read: _Read, cell: Any, settings: dict[str, Any]) -> Followed:
     cell = read.cell if cell is None else cell
     if read.ids is not None:
         return Population(**settings) if cell is None else PeriodicPopulation(cell=cell, **settings)
+    if cell is None and are_in_space(read.points):
+        return cast(DynamicDelaunay, DynamicDelaunay3D(**settings))  # a shape is no part of a type
     return DynamicDelaunay(**settings) if cell is None else PeriodicDelaunay(cell=cell, **settings)
 
 

@@ -17,6 +17,17 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+// Cells in space are asked for after a call that has left none.
+class No_cells_error : public std::runtime_error
+{
+public:
+  No_cells_error()
+    : std::runtime_error("there are no cells, since memory did not suffice for the last call: call "
+                         "mend(); points, ids and duplicates can be read as they are")
+  {
+  }
+};
+
 // Translates the package's exceptions to those of errors.py, with the same data.
 void register_errors();
 

@@ -95,18 +95,20 @@ Input input(py::array array)
 
 } // namespace
 
-Input points_input(py::handle object, const std::string& name)
+Input points_input(py::handle object, const std::string& name, int dimension)
 {
-  if (is_plain<double>(object, 2) && py::detail::array_proxy(object.ptr())->dimensions[1] == 2) {
+  if (is_plain<double>(object, 2) &&
+      py::detail::array_proxy(object.ptr())->dimensions[1] == dimension) {
     return input(py::reinterpret_borrow<py::array>(object));
   }
   const py::array array = numbers(object, "fiu", name);
   if (array.ndim() == 1 && array.size() == 0) {
     return {};
   }
-  if (array.ndim() != 2 || array.shape(1) != 2) {
-    throw py::value_error(name + " have the shape " + shape_text(array) +
-                          ": it must be (n, 2), a row of x and y for each point");
+  if (array.ndim() != 2 || array.shape(1) != dimension) {
+    throw py::value_error(name + " have the shape " + shape_text(array) + ": it must be " +
+                          (dimension == 2 ? "(n, 2), a row of x and y for each point"
+                                          : "(n, 3), a row of x, y and z for each point"));
   }
   return input(of_type<double>(array));
 }

@@ -22,8 +22,8 @@ struct Input
   Rows rows{};
 };
 
-// Of the shape (n, 2). `name` is for messages.
-Input points_input(pybind11::handle object, const std::string& name = "points");
+// Of the shape (n, dimension), which is 2 or 3. `name` is for messages.
+Input points_input(pybind11::handle object, const std::string& name = "points", int dimension = 2);
 
 // The numbers are copied.
 Input copied_points_input(pybind11::handle object);

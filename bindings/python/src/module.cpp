@@ -2,16 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "bindings/common/Bounded_cells.h"
-#include "bindings/common/Report_fields.h"
 #include "bindings/common/Row_iterator.h"
 #include "bindings/python/src/Bounded_cells_in_python.h"
 #include "bindings/python/src/Errors.h"
 #include "bindings/python/src/Function_in_python.h"
+#include "bindings/python/src/Guarded_subject.h"
 #include "bindings/python/src/Numpy.h"
 #include "bindings/python/src/Python_settings.h"
 #include "bindings/python/src/Recording_in_python.h"
+#include "bindings/python/src/Report_in_python.h"
 #include "bindings/python/src/Triangle_walk.h"
-#include "scenario_runner/Threads.h"
+#include "bindings/python/src/Triangulation_3.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
@@ -19,18 +20,13 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -42,17 +38,15 @@ namespace {
 
 using Report = Subject::Report;
 
-// What Python holds. All work is done without the interpreter's lock, and by one thread at a time.
-class Triangulation
+// What Python holds.
+class Triangulation : public Guarded_subject<Subject>
 {
 public:
   void start(const py::object& classifier, const std::string& repair, const std::string& policy,
              unsigned threads, std::uint64_t seed, bool changes, bool is_population,
              const std::optional<Cell>& cell)
   {
-    if (m_subject) {
-      throw Use_error("a triangulation is initialized once; restore() replaces all of it");
-    }
+    check_is_new();
     Python_settings settings{{"", repair, policy, seed, changes, is_population, cell}, nullptr};
     if (py::isinstance<py::str>(classifier)) {
       settings.classifier = classifier.cast<std::string>();
@@ -60,8 +54,7 @@ public:
       m_function = std::make_shared<py::object>(classifier);
       settings.function = function_in_python(m_function);
     }
-    m_threads.emplace(threads);
-    m_subject = make_subject(settings);
+    Guarded_subject::start(threads, make_subject(settings));
   }
 
   Report update(const py::object& points, const py::object& ids, const std::optional<Cell>& cell)
@@ -115,47 +108,6 @@ public:
     });
   }
 
-  // Calls `f(subject)`, which changes nothing, or nothing that arrays show.
-  template <class Function>
-  auto read(const Function& f)
-  {
-    check_caller();
-    const py::gil_scoped_release release;
-    const std::lock_guard<std::mutex> guard(m_mutex);
-    const Caller caller(m_caller);
-    Subject& mine = subject();
-    return m_threads->execute([&] { return f(mine); });
-  }
-
-  // The arrays of a group: those of the last time if nothing has changed since.
-  py::tuple arrays(Group group)
-  {
-    Cached& cached = m_cache[std::size_t(group)];
-    if (!cached.arrays || cached.version != m_version) {
-      std::uint64_t version = 0;
-      std::vector<Array> arrays = read([&](const Subject& subject) {
-        version = m_version;
-        return subject.arrays(group);
-      });
-      cached = {to_numpy(std::move(arrays)), version};
-    }
-    return cached.arrays;
-  }
-
-  bool is_current(const py::object& array) const
-  {
-    for (const Cached& cached : m_cache) {
-      if (cached.arrays && cached.version == m_version) {
-        for (const py::handle& its_array : cached.arrays) {
-          if (its_array.is(array)) {
-            return true;
-          }
-        }
-      }
-    }
-    return false;
-  }
-
   py::array find_simplex(const py::object& query_points)
   {
     const Input input = points_input(query_points, "query points");
@@ -200,7 +152,7 @@ public:
       return Bounded_cells_in_python{
           subject.bounded_cells(std::move(bounded),
                                 radius ? Radii(*radius) : Radii(its_radii.rows)),
-          m_version};
+          version()};
     });
   }
 
@@ -210,7 +162,7 @@ public:
     const Input areas = numbers_input(area_weights, "weights of areas"),
                 lengths = numbers_input(length_weights, "weights of lengths");
     return to_numpy(read([&](const Subject& subject) {
-      if (cells.version != m_version) {
+      if (cells.version != version()) {
         throw Use_error("the triangulation has changed since these cells were made: gradients "
                         "need those of now");
       }
@@ -227,77 +179,23 @@ public:
     }));
   }
 
-  Report last_report() const { return m_report; }
-
   // For the garbage collector: a classifier may refer to its triangulation.
   int visit_objects(visitproc visit, void* arg) const
   {
     if (m_function) {
       Py_VISIT(m_function->ptr());
     }
-    for (const Cached& cached : m_cache) {
-      Py_VISIT(cached.arrays.ptr());
-    }
-    return 0;
+    return visit_arrays(visit, arg);
   }
   void clear_objects()
   {
     if (m_function) {
       *m_function = py::none();
     }
-    m_cache = {};
+    clear_arrays();
   }
 
 private:
-  struct Cached
-  {
-    py::tuple arrays{py::reinterpret_steal<py::tuple>(py::handle())};
-    std::uint64_t version = 0;
-  };
-
-  // Remembers which thread is at work.
-  class Caller
-  {
-  public:
-    explicit Caller(std::atomic<std::thread::id>& caller)
-      : m_caller(caller)
-    {
-      m_caller = std::this_thread::get_id();
-    }
-    Caller(const Caller&) = delete;
-    Caller& operator=(const Caller&) = delete;
-    ~Caller() { m_caller = std::thread::id(); }
-
-  private:
-    std::atomic<std::thread::id>& m_caller;
-  };
-
-  Subject& subject() const
-  {
-    if (!m_subject) {
-      throw Use_error("the triangulation is not initialized: its __init__() was not called");
-    }
-    return *m_subject;
-  }
-
-  void check_caller() const
-  {
-    if (m_caller == std::this_thread::get_id()) {
-      throw Use_error("a triangulation cannot be used by its own classifier, which is "
-                      "given all that it may ask for");
-    }
-  }
-
-  template <class Function>
-  Report change(const Function& f)
-  {
-    m_report = read([&](Subject& subject) {
-      ++m_version; // also if it throws
-      return f(subject);
-    });
-    return m_report;
-  }
-
   static Corners corners_of(const Input& ring)
   {
     Corners corners;
@@ -325,81 +223,28 @@ private:
 
   void check(const Rows& ids) const
   {
-    for (std::size_t i = 0; i < ids.size && !subject().is_population(); ++i) {
-      const std::int64_t id = ids.at<std::int64_t>(i, 0);
-      if (id < 0) {
-        throw_unknown_id(id, subject().number_of_ids());
-      }
+    if (!subject().is_population()) {
+      check_not_negative(ids);
     }
   }
 
   Shared_reference m_function; // the classifier, if it is written in Python
-  std::unique_ptr<Subject> m_subject;
-  std::optional<run::Threads> m_threads; // that share its work
-  std::mutex m_mutex;
-  std::atomic<std::thread::id> m_caller{};
-  std::atomic<std::uint64_t> m_version{0};
-  std::array<Cached, std::size_t(Group::CHANGES) + 1> m_cache{};
-  Report m_report{};
 };
 
-bool are_equal(const Report& a, const Report& b)
-{
-  return std::all_of(counts_of_reports.begin(), counts_of_reports.end(),
-                     [&](auto count) { return a.*count == b.*count; }) &&
-         a.rebuild_reason == b.rebuild_reason && a.certified == b.certified;
-}
-
-void bind_report(py::module_& module)
-{
-  py::class_<Report>(module, "UpdateReport", "What one call did. All counts are integers.")
-      .def_readonly("classified", &Report::classified, "vertices that the classifier picked")
-      .def_readonly("padded", &Report::padded, "vertices in the layers around them (splices only)")
-      .def_readonly("border", &Report::border, "vertices in the layer beyond (splices only)")
-      .def_readonly("flips", &Report::flips, "edges flipped")
-      .def_readonly("splices", &Report::splices, "regions triangulated anew")
-      .def_readonly("spliced", &Report::spliced, "vertices of these regions")
-      .def_readonly("enlargements", &Report::enlargements, "how often a region was enlarged")
-      .def_readonly("relocated", &Report::relocated, "vertices that jumped and were inserted anew")
-      .def_readonly("inserted", &Report::inserted, "points inserted")
-      .def_readonly("removed", &Report::removed, "points removed")
-      .def_readonly("merged", &Report::merged, "vertices that came to coincide with others")
-      .def_readonly("parted", &Report::parted, "points that left a vertex that they had shared")
-      .def_readonly("certified", &Report::certified,
-                    "bool: whether the triangulation is proved Delaunay")
-      .def_property_readonly("rebuilt", &Report::rebuilt,
-                             "bool: whether everything was triangulated anew")
-      .def_property_readonly("rebuild_reason", rebuild_reason,
-                             "str: why everything was triangulated anew; None if it was not")
-      .def(py::pickle(
-          [](const Report& report) {
-            py::list counts;
-            for (const auto count : counts_of_reports) {
-              counts.append(report.*count);
-            }
-            return py::make_tuple(counts, int(report.rebuild_reason), report.certified);
-          },
-          [](const py::tuple& state) {
-            Report report;
-            const py::list counts = state[0];
-            for (std::size_t i = 0; i < counts_of_reports.size(); ++i) {
-              report.*counts_of_reports[i] = counts[i].cast<std::size_t>();
-            }
-            report.rebuild_reason = CGAL::Rebuild_reason_2(state[1].cast<int>());
-            report.certified = state[2].cast<bool>();
-            return report;
-          }))
-      .def("__eq__", are_equal, py::is_operator())
-      .def("__repr__", [](const Report& report) {
-        std::ostringstream out;
-        out << "UpdateReport(flips=" << report.flips << ", classified=" << report.classified
-            << ", inserted=" << report.inserted << ", removed=" << report.removed
-            << ", relocated=" << report.relocated << ", rebuild_reason="
-            << (report.rebuilt() ? "'" + std::string(rebuild_reason(report)) + "'" : "None")
-            << ", certified=" << (report.certified ? "True" : "False") << ')';
-        return out.str();
-      });
-}
+constexpr std::array<Report_count<Report>, 12> counts_of_report{{
+    {"flips", &Report::flips, "edges flipped", true},
+    {"classified", &Report::classified, "vertices that the classifier picked", true},
+    {"inserted", &Report::inserted, "points inserted", true},
+    {"removed", &Report::removed, "points removed", true},
+    {"relocated", &Report::relocated, "vertices that jumped and were inserted anew", true},
+    {"padded", &Report::padded, "vertices in the layers around the classified ones (splices only)"},
+    {"border", &Report::border, "vertices in the layer beyond these (splices only)"},
+    {"splices", &Report::splices, "regions triangulated anew"},
+    {"spliced", &Report::spliced, "vertices of these regions"},
+    {"enlargements", &Report::enlargements, "how often a region was enlarged"},
+    {"merged", &Report::merged, "vertices that came to coincide with others"},
+    {"parted", &Report::parted, "points that left a vertex that they had shared"},
+}};
 
 // None while Python is constructing the object.
 Triangulation* triangulation_of(PyObject* object)
@@ -443,6 +288,7 @@ void bind_triangulation(py::module_& module)
       .value("DUPLICATES", Group::DUPLICATES)
       .value("EDGES", Group::EDGES)
       .value("TRIANGLES", Group::TRIANGLES)
+      .value("SIMPLICES", Group::TRIANGLES) // of points in space
       .value("NEIGHBOR_LISTS", Group::NEIGHBOR_LISTS)
       .value("CELLS", Group::CELLS)
       .value("RIDGES", Group::RIDGES)
@@ -530,11 +376,12 @@ PYBIND11_MODULE(_core, module)
 {
   module.attr("__version__") = CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION;
   register_errors();
-  bind_report(module);
+  bind_report(module, "UpdateReport", counts_of_report);
   bind_classifier_frame(module);
   bind_bounded_cells(module);
   bind_recordings(module);
   bind_triangulation(module);
+  bind_triangulation_3(module);
 }
 
 } // namespace python

@@ -91,7 +91,7 @@ def test_reads_a_frame_in_place_without_copying_it():
     tracemalloc.stop()
 
 
-@pytest.mark.parametrize("points", [np.zeros(3), np.zeros((3, 3)), np.zeros((2, 2, 2)), 1.0, np.zeros((5, 1))])
+@pytest.mark.parametrize("points", [np.zeros(3), np.zeros((3, 4)), np.zeros((2, 2, 2)), 1.0, np.zeros((5, 1))])
 def test_refuses_other_shapes(points):
     for refuse in (DynamicDelaunay, DynamicDelaunay(POINTS).update, DynamicDelaunay().insert):
         with pytest.raises(ValueError, match=r"shape .*: it must be \(n, 2\)"):

@@ -75,7 +75,8 @@ public:
   {
     bool is_right = true;
     for (std::size_t i = 0; i < change.moved.size(); ++i)
-      is_right = move_point(change.moved[i], change.moved_points[i], is_mending) && is_right;
+      is_right =
+          move_point(change.moved[i], change.moved_points[i], is_mending && is_right) && is_right;
     return is_right;
   }
 
@@ -162,9 +163,11 @@ private:
   {
     auto& ids = m_state.ids;
     const Vertex_index v = ids.vertex(id);
-    if (ids.is_representative(id))
-      if (const Point_id heir = ids.find_covered_at(v, [](const Point&) { return true; });
-          heir != null_index)
+    const auto is_here = [&](const Point& p) { return m_state.coincide(p, m_state.point(v)); };
+    if (is_here(point))
+      return true;
+    if (ids.is_representative(id)) // covered points that have been moved cannot stand in for it
+      if (const Point_id heir = ids.find_covered_at(v, is_here); heir != null_index)
         ids.exchange_representative(heir, m_state.point(v));
     if (!ids.is_representative(id)) {
       ids.covered_point(id) = point;

@@ -1,0 +1,123 @@
+# Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+"""Points in space."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any, Optional, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _core
+from ._arguments import as_integer, as_list, as_rows, number_of_processors
+from ._core import Group, UpdateReport3D
+from ._rows import Rows, ScipyNames
+from .errors import UseError
+
+Self = TypeVar("Self", bound="DynamicDelaunay3D")
+
+OUTWARD_FACETS = np.array([(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)])
+"""Of a positively oriented tetrahedron, opposite to each corner: the other three, counterclockwise from outside."""
+
+
+class DynamicDelaunay3D(ScipyNames, Rows, _core.Triangulation3D):
+    """The Delaunay triangulation of moving points in space, which ``DynamicDelaunay(points)`` makes of points (n, 3).
+
+    Points have the ids 0, 1, 2, ... in the order in which they are given, and keep them; the id of a removed point is
+    free, and the next point gets the smallest free id. Arrays have a row for each id that was ever in use.
+
+    Parameters
+    ----------
+    points : array_like, float (n, 3)
+        x, y and z of each point. Any strided array of float64 is read in place, other numbers are converted first.
+    threads : int
+        Threads that share the work; 0 for all.
+
+    Every call ends with a proof by exact predicates. Fewer than four points, and points in a plane or on a line, have
+    no simplices, but edges. Calls release the interpreter's lock; different objects run in threads at once, and calls
+    of one object wait for each other. Do not write to an array while it is read. Objects can be copied, but not
+    pickled.
+    """
+
+    def __new__(cls: type[Self], *_arguments: Any, **_named: Any) -> Self:
+        self = super().__new__(cls)
+        _core.Triangulation3D.__init__(self)  # so that there is something, whatever a derived class does
+        return self
+
+    def __init__(self, points: Optional[ArrayLike] = None, *, threads: int = 1) -> None:
+        self._start(as_integer("threads", threads, 2**31) or number_of_processors())
+        if points is not None:
+            self._insert(points)
+
+    def update(self, points: ArrayLike) -> UpdateReport3D:
+        """Move point i to row i of ``points``, float (number_of_ids, 3), and repair what that breaks. Rows of removed
+        ids are ignored. Cost: a pass over the simplices, never much more than to triangulate all points anew."""
+        return self._update(points)
+
+    def insert(self, points: ArrayLike) -> NDArray[np.int64]:
+        """Add points, float (m, 3), or one, (3,); return their ids, int64 (m,)."""
+        return self._insert(as_rows(points, 3))
+
+    def remove(self, ids: ArrayLike) -> UpdateReport3D:
+        """Remove points by their ids, int (m,), or one."""
+        return self._remove(as_list(ids))
+
+    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport3D:
+        """Move some points, int (m,), or one, to positions, float (m, 3) or (3,). All others stay."""
+        return self._move(as_list(ids), as_rows(points, 3))
+
+    @property
+    def points(self) -> NDArray[np.float64]:
+        """float64 (rows, 3): the position of each row, NaN for a removed id."""
+        return self._arrays(Group.POINTS)[0]
+
+    @property
+    def simplices(self) -> NDArray[np.int32]:
+        """int32 (simplices, 4): rows of the corners of each tetrahedron, positively oriented: the last three are
+        counterclockwise from outside."""
+        return self._arrays(Group.SIMPLICES)[0]
+
+    @property
+    def neighbors(self) -> NDArray[np.int32]:
+        """int32 (simplices, 4): the simplex opposite to each corner, -1 on the hull, as scipy.spatial.Delaunay has
+        it."""
+        return self._arrays(Group.SIMPLICES)[1]
+
+    @property
+    def convex_hull(self) -> NDArray[np.int32]:
+        """int32 (k, 3): rows of the corners of each facet of the convex hull, counterclockwise from outside."""
+        simplices, neighbors = self._arrays(Group.SIMPLICES)
+        simplex, opposite = np.nonzero(neighbors < 0)
+        hull: NDArray[np.int32] = simplices[simplex[:, np.newaxis], OUTWARD_FACETS[opposite]]
+        return hull
+
+    def neighbor_lists(self) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+        """``indptr`` and ``indices``, of one moment: the neighbors of row i are
+        ``indices[indptr[i] : indptr[i + 1]]``."""
+        return self.vertex_neighbor_vertices
+
+    def volumes(self) -> NDArray[np.float64]:
+        """float64 (simplices,): volumes of the tetrahedra, in the cubed unit of the coordinates. Computed in floating
+        point, and wrong by at most 1e-15 times the cube of the longest edge. Cost: linear, in each call."""
+        return self._volumes()
+
+    def __copy__(self: Self) -> Self:
+        twin = self._twin()
+        vars(twin).update(vars(self))
+        return twin
+
+    def __deepcopy__(self: Self, memo: dict[int, Any]) -> Self:
+        twin = memo[id(self)] = self._twin()
+        vars(twin).update(copy.deepcopy(vars(self), memo))
+        return twin
+
+    def _twin(self: Self) -> Self:
+        twin = type(self).__new__(type(self))
+        twin._start_as_copy(self)
+        return twin
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        raise UseError("a triangulation in space has no checkpoints and cannot be pickled: pickle its points")
