@@ -3,11 +3,11 @@
 
 """What updates from Python cost: beside the same updates in C++, and beside SciPy's Delaunay of the same frames.
 
-    python.py [--frames N] [NAME ...]
+    python.py [--frames N] [--space] [NAME ...]
 
 Python and C++ follow 20 frames in turn, in one process, and read the same arrays; SciPy, which takes long, triangulates
-20 of all frames. Times are medians over the frames, a point. Last come the fixed cost of a call, at 10 points, and the costs of arrays at
-10,000 points.
+20 of all frames. Times are medians over the frames, a point. Last come the fixed cost of a call, at 10 points, the costs
+of arrays at 10,000 points, and points in space beside SciPy, to which --space is limited.
 """
 
 import argparse
@@ -26,6 +26,7 @@ LARGE = [("dam_break", 10_000), ("spinning", 10_000), ("explosion", 10_000), ("s
 FRAMES, LARGE_FRAMES = 1000, 300
 BLOCK = 20  # frames
 SCIPY_FRAMES = 20
+SPACE_FRAMES, SPACE_SCIPY_FRAMES, SPACE_STEPS = 30, 3, (1e-4, 1e-3, 0.01)
 
 
 def nanoseconds(work):
@@ -106,6 +107,44 @@ def follow(path, points, frames):
     )
 
 
+def in_space(number, step):
+    """Random points in a cube, whose steps are in mean spacings."""
+    random = np.random.default_rng(1)
+    points = random.random((number, 3))
+    dt = DynamicDelaunay(points)
+    ours, theirs = [], []
+    for frame in range(SPACE_FRAMES):
+        points = points + random.normal(0, step * number ** (-1 / 3) / 3**0.5, points.shape)
+        ours.append(nanoseconds(lambda: dt.update(points)) / number)
+        if frame % (SPACE_FRAMES // SPACE_SCIPY_FRAMES) == 0:
+            theirs.append(nanoseconds(lambda: Delaunay(points)) / number)
+    assert dt.is_certified and dt.is_valid()
+    ours, theirs = np.median(ours[1:]), np.median(theirs)  # the first frame makes room for former positions
+    print(f"{number:10}{step:10g}{ours:10.1f}{theirs:10.0f}{theirs / ours:10.0f}", flush=True)
+    return dt
+
+
+def points_in_space():
+    heads = ("points", "step", "Python", "SciPy", "ratio")
+    print("\npoints in space, ns a point:\n" + "".join(f"{head:>10}" for head in heads))
+    for number in (10_000, 100_000):
+        for step in SPACE_STEPS:
+            dt = in_space(number, step)
+        print("    arrays: ", end="")
+        for name in ("points", "simplices", "indices", "edges", "convex_hull"):
+            print(f"{name} {array_cost(dt, lambda: getattr(dt, name)):.0f}", end=", ")
+        print(f"volumes() {array_cost(dt, dt.volumes):.0f}", flush=True)
+
+
+def array_cost(dt, make, repetitions=15):
+    """Nanoseconds a point, after a change that leaves no array current."""
+    times = []
+    for _ in range(repetitions):
+        dt.move(0, dt.points[0])
+        times.append(nanoseconds(make))
+    return np.median(times) / len(dt)
+
+
 def fixed_costs():
     points = np.random.default_rng(1).random((10, 2))
     dt, plain = DynamicDelaunay(points), reference.Reference(points)
@@ -118,19 +157,19 @@ def fixed_costs():
     dt = DynamicDelaunay(points)
     print("\narrays of 10,000 points, ns a point:")
     for name in ("edges", "triangles", "indices", "areas", "ridges", "points"):
-        times = []
-        for _ in range(30):
-            dt.move(0, points[0])  # after which no array is current
-            times.append(nanoseconds(lambda: getattr(dt, name)))
-        print(f"  {name:12} {np.median(times) / 10_000:8.1f}")
+        print(f"  {name:12} {array_cost(dt, lambda: getattr(dt, name), 30):8.1f}")
 
 
 def main():
     options = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     frames = f"of each motion, at most (default: {FRAMES}, {LARGE_FRAMES} of scenarios that are made larger)"
     options.add_argument("--frames", type=int, help=frames)
+    options.add_argument("--space", action="store_true", help="points in space alone")
     options.add_argument("names", nargs="*", help="scenarios or files; all scenarios and recordings if there is none")
     options = options.parse_args()
+    if options.space:
+        points_in_space()
+        return
     cases = [(name, None) for name in options.names]
     if not cases:
         cases = SCENARIOS + LARGE + [(path, None) for path in reference.recordings()]
@@ -142,6 +181,7 @@ def main():
     for path, points in cases:
         follow(path, points, options.frames or (LARGE_FRAMES if points else FRAMES))
     fixed_costs()
+    points_in_space()
 
 
 if __name__ == "__main__":

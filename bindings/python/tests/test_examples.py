@@ -44,6 +44,14 @@ def test_lloyd():
     assert spreads[-1] < 0.3 * spreads[0]
 
 
+def test_cloud_density():
+    lines = [line.replace(",", "").split() for line in output_of("cloud_density").splitlines()]
+    assert [line[1] for line in lines] == [f"{frame}:" for frame in range(0, 101, 20)]
+    assert all(14 < float(line[2]) < 16 for line in lines)  # 15.5 in the middle of a random cloud
+    densities = [float(line[5]) for line in lines]
+    assert densities[0] == 1 and abs(densities[-1] - 0.997**-300) < 0.1 * densities[-1]
+
+
 BOX = np.array([10.0, 8.0])
 SHIFTS = np.array([(i, j) for i in (0, -1, 1) for j in (0, -1, 1)])
 
