@@ -15,7 +15,7 @@ from .errors import *  # noqa: F403
 from .neighbors import NeighborList
 from .queries import AlphaClass, AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
 from .recording import RecordedFrame, read_recording
-from .space import DynamicDelaunay3D
+from .space import DynamicDelaunay3D, VoronoiCells3D
 from .trajectory import Frame, track
 
 __all__ = [
@@ -41,6 +41,7 @@ __all__ = [
     "Side",
     "UpdateReport",
     "UpdateReport3D",
+    "VoronoiCells3D",
     "__version__",
     "errors",
     "read_recording",

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import copy
-from typing import Any, Optional, TypeVar
+from typing import Any, NamedTuple, Optional, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,12 +15,49 @@ from . import _core
 from ._arguments import as_integer, as_list, as_rows, number_of_processors
 from ._core import Group, UpdateReport3D
 from ._rows import Rows, ScipyNames
-from .errors import UseError
+from .errors import InputValueError, UseError
 
 Self = TypeVar("Self", bound="DynamicDelaunay3D")
 
 OUTWARD_FACETS = np.array([(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)])
 """Of a positively oriented tetrahedron, opposite to each corner: the other three, counterclockwise from outside."""
+
+
+class VoronoiCells3D(NamedTuple):
+    """Voronoi cells of points in space, a row for each id; zeros for ids that are free.
+
+    Points that coincide share a cell: each has its share of the volume, and the first of them has the facets.
+    """
+
+    volumes: NDArray[np.float64]
+    """float64 (rows,), in the cubed unit of the coordinates. ``inf`` where a cell is unbounded."""
+    surface_areas: NDArray[np.float64]
+    """float64 (rows,), in the squared unit; ``inf`` where a cell is unbounded."""
+    centroids: NDArray[np.float64]
+    """float64 (rows, 3); an unbounded cell has its point instead."""
+    indptr: NDArray[np.int64]
+    """int64 (rows + 1,): the facets of row i are those from ``indptr[i]`` to ``indptr[i + 1]``."""
+    neighbors: NDArray[np.int32]
+    """int32 (facets,): the row on the other side of each facet, ascending for each row. Which cells share a facet is
+    decided exactly."""
+    facet_areas: NDArray[np.float64]
+    """float64 (facets,), in the squared unit."""
+
+
+def _sides(box: ArrayLike) -> list[float]:
+    sides = np.asarray(box)
+    if sides.dtype.kind not in "biuf" or sides.shape != (6,):
+        raise InputValueError(
+            f"a box of {sides.dtype} with the shape {sides.shape}: it must have six numbers, xmin, ymin, zmin, xmax, "
+            "ymax and zmax"
+        )
+    sides = sides.astype(np.float64)
+    if not (sides[:3] < sides[3:]).all() or not np.isfinite(sides).all() or (sides[3:] - sides[:3] > 1e100).any():
+        raise InputValueError(
+            f"the box {tuple(sides.tolist())} is empty, not finite, or longer than 1e100: its numbers are xmin, ymin, "
+            "zmin, xmax, ymax and zmax, in this order"
+        )
+    return sides.tolist()
 
 
 class DynamicDelaunay3D(ScipyNames, Rows, _core.Triangulation3D):
@@ -103,6 +140,12 @@ class DynamicDelaunay3D(ScipyNames, Rows, _core.Triangulation3D):
         """float64 (simplices,): volumes of the tetrahedra, in the cubed unit of the coordinates. Computed in floating
         point, and wrong by at most 1e-15 times the cube of the longest edge. Cost: linear, in each call."""
         return self._volumes()
+
+    def voronoi_cells(self, box: Optional[ArrayLike] = None) -> VoronoiCells3D:
+        """The Voronoi cells of all rows, whole or as far as they are in a box (xmin, ymin, zmin, xmax, ymax, zmax),
+        whose volume they fill. Cost: linear, in each call; some microseconds a point. InputValueError if the box is
+        empty, or longer than 1e100."""
+        return VoronoiCells3D(*self._voronoi_cells(None if box is None else _sides(box)))
 
     def __copy__(self: Self) -> Self:
         twin = self._twin()

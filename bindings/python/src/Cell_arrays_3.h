@@ -8,6 +8,7 @@
 #include "bindings/common/Subject.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_measures_3.h>
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
@@ -178,6 +179,29 @@ Array volume_array_3(const Dynamic& dt)
         {cells.position(c, 0), cells.position(c, 1), cells.position(c, 2), cells.position(c, 3)}));
   });
   return {std::move(volumes)};
+}
+
+// The measures of Voronoi cells, whole or in a box: volumes, surface areas and centroids; where the
+// facets of each row begin, the rows on their other sides, and their areas.
+template <class Dynamic>
+std::vector<Array> voronoi_arrays_3(const Dynamic& dt, const CGAL::Bbox_3* box)
+{
+  CGAL::Voronoi_cell_measures_3 cells;
+  if (box) {
+    cells.compute(dt, *box);
+  } else {
+    cells.compute(dt);
+  }
+  Doubles centroids;
+  for (const Position_3& centroid : cells.centroids()) {
+    centroids.insert(centroids.end(), {centroid.x, centroid.y, centroid.z});
+  }
+  return {{cells.volumes()},
+          {cells.surface_areas()},
+          {std::move(centroids), {3}},
+          {std::vector<std::int64_t>(cells.offsets().begin(), cells.offsets().end())},
+          {Integers(cells.neighbors().begin(), cells.neighbors().end())},
+          {cells.facet_areas()}};
 }
 
 // Lists, one for each row, one after the other: that of row i begins at `begins[i]`.

@@ -84,6 +84,10 @@ public:
     }
   }
   Array volumes() const { return volume_array_3(certified()); }
+  std::vector<Array> voronoi_cells(const CGAL::Bbox_3* box) const
+  {
+    return voronoi_arrays_3(certified(), box);
+  }
 
 private:
   const Dynamic& certified() const

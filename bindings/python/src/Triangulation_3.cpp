@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -92,6 +93,24 @@ constexpr std::array<Report_count<Report>, 8> counts_of_report{{
     {"parted", &Report::parted, "points that left a vertex that they had shared"},
 }};
 
+// Of whole cells, or in a box from the first three numbers to the others.
+py::tuple voronoi_cells(Triangulation_3& t, const std::optional<std::array<double, 6>>& sides)
+{
+  const auto arrays = t.read([&](const Subject_3& subject) {
+    if (!sides) {
+      return subject.voronoi_cells(nullptr);
+    }
+    const auto& [xmin, ymin, zmin, xmax, ymax, zmax] = *sides;
+    const CGAL::Bbox_3 box(xmin, ymin, zmin, xmax, ymax, zmax);
+    return subject.voronoi_cells(&box);
+  });
+  py::tuple result(arrays.size());
+  for (std::size_t i = 0; i < arrays.size(); ++i) {
+    result[i] = to_numpy(arrays[i]);
+  }
+  return result;
+}
+
 // A call that asks the triangulation.
 template <class Question>
 auto asking(const Question& question)
@@ -119,6 +138,7 @@ void bind_triangulation_3(py::module_& module)
            [](Triangulation_3& t) {
              return to_numpy(t.read([](const Subject_3& subject) { return subject.volumes(); }));
            })
+      .def("_voronoi_cells", voronoi_cells)
       .def("_is_current", &Triangulation_3::is_current)
       .def("_has_id",
            [](Triangulation_3& t, std::int64_t id) {

@@ -167,6 +167,44 @@ def test_measures_simplices(size):
         assert exact > 0 and error <= 1e-15 * float(longest) ** 1.5 + (0 if size >= 1 else 2.0**-170)
 
 
+def test_measures_voronoi_cells_in_a_box():
+    points = cloud(500)
+    points[7] = points[3]
+    dt = DynamicDelaunay(points)
+    for frame in range(3):
+        cells = dt.voronoi_cells((0, 0, 0, 1, 1, 1))
+        assert cells.volumes.sum() == pytest.approx(1, abs=1e-12) and (cells.volumes > 0).all()
+        assert cells.volumes[3] == cells.volumes[7]
+        assert cells.centroids.shape == (500, 3) and (cells.volumes @ cells.centroids) == pytest.approx(0.5, abs=1e-12)
+        assert cells.indptr[8] == cells.indptr[7] and cells.neighbors.dtype == np.int32
+        rows = np.repeat(np.arange(500), np.diff(cells.indptr))
+        areas = dict(zip(zip(rows.tolist(), cells.neighbors.tolist()), cells.facet_areas.tolist()))
+        assert all(areas[j, i] == area for (i, j), area in areas.items())
+        points += np.random.default_rng(frame).normal(0, 1e-3, points.shape)
+        points[7] = points[3]
+        dt.update(np.clip(points, 0, 1, out=points))
+
+
+def test_measures_whole_voronoi_cells():
+    lattice = np.array(list(itertools.product(range(5), repeat=3)), float)
+    dt = DynamicDelaunay(lattice)
+    cells = dt.voronoi_cells()
+    inner = ((lattice > 0) & (lattice < 4)).all(axis=1)
+    assert cells.volumes[inner] == pytest.approx(1, abs=1e-14) and np.isinf(cells.volumes[~inner]).all()
+    assert cells.surface_areas[inner] == pytest.approx(6, abs=1e-13)
+    assert cells.centroids[inner] == pytest.approx(lattice[inner], abs=1e-14)
+    assert (cells.centroids[~inner] == lattice[~inner]).all()
+    assert (np.diff(cells.indptr)[inner] == 6).all()
+    assert len(DynamicDelaunay3D().voronoi_cells().volumes) == 0
+
+
+def test_refuses_boxes_that_are_none():
+    dt = DynamicDelaunay(cloud(20))
+    for box in [(0, 0, 0, 1, 1), (0, 0, 0, 1, 1, 0), (0, 0, 0, 1, 1, np.nan), (0, 0, 0, 1, 1, 1e101), "box", [[0] * 6]]:
+        with pytest.raises(errors.InputValueError, match="box"):
+            dt.voronoi_cells(box)
+
+
 def test_follows_points_that_move_and_reports_what_it_did():
     points = cloud(500)
     dt = DynamicDelaunay(points)
