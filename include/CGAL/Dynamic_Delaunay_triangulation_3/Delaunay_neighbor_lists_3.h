@@ -64,7 +64,7 @@ public:
 
   /// replaces the lists by those of a triangulation.
   ///
-  /// Cost: one walk around each edge, about a microsecond a point, which threads share if the
+  /// Cost: one walk around each edge, some 1.5 microseconds a point, which threads share if the
   /// triangulation has the `Parallel_tag`. The result does not depend on their number. If memory
   /// runs out, there are no lists.
   /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`.

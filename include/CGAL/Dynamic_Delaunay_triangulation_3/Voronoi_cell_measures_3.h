@@ -103,11 +103,11 @@ public:
 
   /// measures the whole cells.
   ///
-  /// Cost: linear, some two microseconds a point: one walk around each edge, from both of its ends.
-  /// Exact numbers take about ten for each very flat Delaunay cell, and one for each facet between
-  /// cospherical ones.
-  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`.
-  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
+  /// Cost: linear, some four microseconds a point: one walk around each edge, from both of its
+  /// ends. Rational numbers take about ten more for each very flat Delaunay cell, and exact
+  /// predicates about one for each facet between cospherical ones. \tparam Dynamic a
+  /// `Dynamic_Delaunay_triangulation_3`. \throws Uncertified_triangulation_error_2 unless
+  /// `dt.is_certified()`; nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt)
   {
