@@ -199,11 +199,11 @@ TEST(Memory_in_space, may_run_out_where_vertices_are_held_and_stuck)
 
 TEST(Memory_in_space, may_run_out_where_points_jump_and_meet)
 {
-  const Points points = random_points(1000);
+  const Points points = random_points(400);
   Points next = shaken(points, 1e-5);
   std::swap(next[100], next[200]);
   next[300] = Point(0.5, 0.5, 0.5);
-  next[400] = next[500];
+  next[250] = next[350];
   const Dynamic dt = original(points);
   Dynamic check(dt);
   const CGAL::Update_report_3 report = check.update(next);
@@ -218,7 +218,7 @@ TEST(Memory_in_space, may_run_out_where_points_come_and_go)
 {
   const Points few = random_points(4, 5), many = random_points(40, 6);
   const std::vector<std::size_t> some{1, 4, 30}, half{1, 4, 9, 11, 20, 21, 22, 23, 24, 25, 26, 30};
-  for (const std::size_t number : {60u, 400u}) {
+  for (const std::size_t number : {60u, 200u}) {
     const Dynamic dt = original(random_points(number));
     EXPECT_GT(expect_survival(dt, [&](Dynamic& d) { d.insert(few.begin(), few.end()); }), 3);
     EXPECT_GT(expect_survival(dt, [&](Dynamic& d) { d.remove(some.begin(), some.end()); }), 3);
