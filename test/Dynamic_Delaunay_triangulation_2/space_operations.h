@@ -88,6 +88,19 @@ public:
     m_triangulation.move(id, m_points[id]);
   }
 
+  // Several at once, some of them to where others were.
+  void move_some()
+  {
+    std::vector<std::pair<std::size_t, Point>> movers;
+    for (auto& [id, point] : m_points)
+      if (number_below(4) == 0) {
+        const Point target = number_below(2) == 0 ? anywhere() : m_points[some_id()];
+        movers.emplace_back(id, target);
+        point = target;
+      }
+    EXPECT_TRUE(m_triangulation.move(movers.begin(), movers.end()).certified);
+  }
+
   // One frame of some motion.
   void move_all()
   {

@@ -17,6 +17,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <list>
 #include <map>
@@ -252,6 +254,36 @@ INSTANTIATE_TEST_SUITE_P(far_and_near, Random_programs_in_space,
                          testing::Combine(testing::Range(40, 44),
                                           testing::Values(1e-150, 1e-30, 1e70),
                                           testing::Values(0.0)));
+
+std::size_t wanted_number(const char* variable, std::size_t usual)
+{
+  const char* const text = std::getenv(variable);
+  return text ? std::stoul(text) : usual;
+}
+
+// To look for more: SPACE_OPERATIONS=1000000 SPACE_SEED=1 test_space --gtest_filter='Many*'
+TEST(Many_programs_in_space, stay_exact)
+{
+  constexpr std::size_t of_a_program = 50;
+  constexpr std::array<double, 5> grids = {0, 0, 0.25, 0.1, 0.5};
+  constexpr std::array<double, 7> extents = {1, 1, 1, 1, 1e-150, 1e-30, 1e70};
+  const std::size_t number = wanted_number("SPACE_OPERATIONS", 2000);
+  std::uint64_t seed = wanted_number("SPACE_SEED", 1);
+  for (std::size_t done = 0; done < number && !HasFailure(); ++seed) {
+    SCOPED_TRACE("SPACE_SEED=" + std::to_string(seed));
+    const double extent = extents[seed / 5 % 7];
+    Program<Dynamic> program(seed, extent, grids[seed % 5] * extent);
+    program.insert(std::size_t(seed * 7919 % 150));
+    for (std::size_t i = 0; i < of_a_program && !HasFailure(); ++i, ++done) {
+      SCOPED_TRACE("operation " + std::to_string(i));
+      if (seed % 3 == 0 && i % 4 == 0)
+        program.move_some();
+      else
+        program.do_something();
+      space_oracle::expect_exact(program.triangulation(), program.points());
+    }
+  }
+}
 
 // 10134: the hole of a vertex that is taken out grows over all cells. 10417: a frame is rebuilt
 // after vertices have changed their numbers. 3142: a vertex is taken out where cells cover space
