@@ -97,17 +97,18 @@ public:
   /// @}
   /// \name Computation
   /// Threads share the work if the triangulation has the `Parallel_tag`; the result does not depend
-  /// on their number. If memory runs out, there are no measures. While they run, these functions
-  /// take some 250 bytes a point.
+  /// on their number. If memory runs out, there are no measures. The results take some 250 bytes a
+  /// point, and while they run, these functions take 500 more.
   /// @{
 
   /// measures the whole cells.
   ///
   /// Cost: linear, some four microseconds a point: one walk around each edge, from both of its
   /// ends. Rational numbers take about ten more for each very flat Delaunay cell, and exact
-  /// predicates about one for each facet between cospherical ones. \tparam Dynamic a
-  /// `Dynamic_Delaunay_triangulation_3`. \throws Uncertified_triangulation_error_2 unless
-  /// `dt.is_certified()`; nothing changes.
+  /// predicates about one for each facet between cospherical ones.
+  ///
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`.
+  /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt)
   {

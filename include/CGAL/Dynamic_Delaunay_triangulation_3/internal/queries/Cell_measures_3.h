@@ -22,7 +22,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 struct Cell_measures_3
 {
   double volume = 0, surface = 0;
-  Position_3 centroid{0, 0, 0}; // relative to the vertex, or where it was asked for
+  Position_3 centroid{0, 0, 0}; // of a whole cell relative to its vertex
 };
 
 // One neighbor of a cell, and the area of the facet between both.

@@ -26,8 +26,6 @@ public:
     m_places.clear();
   }
 
-  bool contains(Vertex_index v) const { return !m_table.empty() && m_table[place_of(v)] == v; }
-
   // Whether the vertex was not there before.
   bool insert(Vertex_index v)
   {
