@@ -64,6 +64,13 @@ inline void* or_throw(void* memory)
 
 } // namespace replaced_heap
 
+// Where memory runs out, CGAL's container loses the block that it has just got.
+extern "C" const char* __lsan_default_suppressions();
+extern "C" [[gnu::noinline]] const char* __lsan_default_suppressions()
+{
+  return "leak:CGAL::Compact_container*allocate_new_block";
+}
+
 // All forms are replaced, because the address sanitizer provides the others, and reports memory
 // that one of its forms allocates and one of these frees. (Inlined, they would draw a false warning
 // about mismatched allocation from g++.)
