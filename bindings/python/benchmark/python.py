@@ -6,8 +6,8 @@
     python.py [--frames N] [--space] [NAME ...]
 
 Python and C++ follow 20 frames in turn, in one process, and read the same arrays; SciPy, which takes long, triangulates
-20 of all frames. Times are medians over the frames, a point. Last come the fixed cost of a call, at 10 points, the costs
-of arrays at 10,000 points, and points in space beside SciPy, to which --space is limited.
+20 of all frames. Times are medians over the frames, a point. Last come the fixed cost of a call, at 10 points, the
+costs of arrays at 10,000 points, and points in space beside SciPy, to which --space is limited.
 """
 
 import argparse

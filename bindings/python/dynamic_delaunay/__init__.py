@@ -3,8 +3,8 @@
 
 """Delaunay triangulations of moving points, kept exact while the points move.
 
-``DynamicDelaunay`` for points in the plane or in space, ``PeriodicDelaunay`` for periodic cells, ``Population`` for points that
-come and go, ``track()`` for whole trajectories, and ``read_recording()`` for files of them.
+``DynamicDelaunay`` for points in the plane or in space, ``PeriodicDelaunay`` for periodic cells, ``Population`` for
+points that come and go, ``track()`` for whole trajectories, and ``read_recording()`` for files of them.
 """
 
 from . import errors

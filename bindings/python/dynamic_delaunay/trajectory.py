@@ -86,8 +86,9 @@ def track(trajectory: Any, cell: Any = None, *, progress: bool = False, **settin
     ----------
     trajectory
         An array (frames, n, 2), or anything that iterates over arrays (n, 2), or (n, 3) for points in space, or over
-        pairs (ids, points) if points in the plane come and go; what ``read_recording()`` returns; or a pandas table with the columns frame, id, x and y, in any
-        order of rows, by these names or by those of trackpy, TrackMate, PedPy and others. Ids are integers or text.
+        pairs (ids, points) if points in the plane come and go; what ``read_recording()`` returns; or a pandas table
+        with the columns frame, id, x and y, in any order of rows, by these names or by those of trackpy, TrackMate,
+        PedPy and others. Ids are integers or text.
     cell
         Of a periodic space; see PeriodicDelaunay. Without it a recording has its own cells.
     progress : bool
