@@ -454,7 +454,7 @@ long expect_survival(const Population& original, const Crowd& before, const Crow
 TEST(Populations_in_space, survive_that_memory_runs_out)
 {
   Frames<Population> frames(9, 0);
-  for (const std::size_t size : {40u, 150u})
+  for (const std::size_t size : {40u, 300u})
     for (const std::size_t changes : {3u, 30u}) {
       Crowd before;
       for (std::size_t i = 0; i < size; ++i)

@@ -178,7 +178,8 @@ def test_measures_voronoi_cells_in_a_box():
         assert cells.volumes.sum() == pytest.approx(1, abs=1e-12) and (cells.volumes > 0).all()
         assert cells.volumes[3] == cells.volumes[7]
         assert cells.centroids.shape == (500, 3) and (cells.volumes @ cells.centroids) == pytest.approx(0.5, abs=1e-12)
-        assert cells.indptr[8] == cells.indptr[7] and cells.neighbors.dtype == np.int32
+        shared = np.diff(cells.indptr)[[3, 7]]
+        assert shared.min() == 0 and shared.max() > 3 and cells.neighbors.dtype == np.int32
         rows = np.repeat(np.arange(500), np.diff(cells.indptr))
         areas = dict(zip(zip(rows.tolist(), cells.neighbors.tolist()), cells.facet_areas.tolist()))
         assert all(areas[j, i] == area for (i, j), area in areas.items())
