@@ -101,17 +101,17 @@ TYPED_TEST(Threads_in_space, change_nothing_but_the_time)
 
 TYPED_TEST(Threads_in_space, change_nothing_in_populations)
 {
-  using Point = typename TestFixture::Point;
+  using Place = typename TestFixture::Point;
   CGAL::Dynamic_population_3<typename TestFixture::Sequential> alone;
   CGAL::Dynamic_population_3<typename TestFixture::Parallel> together;
-  std::map<std::int64_t, Point> crowd;
+  std::map<std::int64_t, Place> crowd;
   std::int64_t next = 0;
-  for (const Point& p : this->random_points(500))
+  for (const Place& p : this->random_points(500))
     crowd[next++] = p;
   for (int frame = 0; frame < 5; ++frame) {
     for (auto& [id, p] : crowd)
       p = this->shaken(p, 0.002);
-    for (const Point& p : this->random_points(4)) {
+    for (const Place& p : this->random_points(4)) {
       crowd.erase(crowd.begin());
       crowd[next++] = p;
     }
