@@ -45,7 +45,7 @@ class VoronoiCells3D(NamedTuple):
 
 
 def _sides(box: ArrayLike) -> list[float]:
-    sides = np.asarray(box)
+    sides: NDArray[Any] = np.asarray(box)
     if sides.dtype.kind not in "biuf" or sides.shape != (6,):
         raise InputValueError(
             f"a box of {sides.dtype} with the shape {sides.shape}: it must have six numbers, xmin, ymin, zmin, xmax, "
@@ -57,7 +57,7 @@ def _sides(box: ArrayLike) -> list[float]:
             f"the box {tuple(sides.tolist())} is empty, not finite, or longer than 1e100: its numbers are xmin, ymin, "
             "zmin, xmax, ymax and zmax, in this order"
         )
-    return sides.tolist()
+    return [float(side) for side in sides]
 
 
 class DynamicDelaunay3D(ScipyNames, Rows, _core.Triangulation3D):

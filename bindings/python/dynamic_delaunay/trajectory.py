@@ -180,7 +180,7 @@ def _column(table: Any, title: Any) -> NDArray[Any]:
 
 def _frames_of_table(table: Any) -> Iterator[_Read]:
     titles = list(table.columns)
-    frame, time, id, x, y = _core._table_columns([str(title) for title in titles])
+    frame, time, id, x, y, _ = _core._table_columns([str(title) for title in titles])
     numbers = _column(table, titles[time if frame < 0 else frame])
     try:
         points = table[[titles[x], titles[y]]].to_numpy(dtype=np.float64)

@@ -99,7 +99,7 @@ py::list read_recording(const std::string& path, const std::string& columns)
   return frames;
 }
 
-// The places of frame, time, id, x and y among the titles of a table, -1 for what is not there.
+// The places of frame, time, id, x, y and z among the titles of a table, -1 for what is not there.
 py::tuple table_columns(const std::vector<std::string>& titles)
 {
   std::string line;

@@ -8,6 +8,8 @@
 #include "bindings/python/src/Report_in_python.h"
 #include "bindings/python/src/Subject_3.h"
 
+#include <pybind11/stl.h>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>

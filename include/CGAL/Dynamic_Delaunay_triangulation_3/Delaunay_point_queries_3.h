@@ -42,8 +42,8 @@ at once, even if it is constant. Threads that query at the same time need one ob
 for many query points at once need only one call, whose work threads share if the triangulation has
 the `Parallel_tag`.
 
-The answers are right for the reasons that hold in the plane, \ref
-DynamicDelaunaySubsection_Queries: whoever is not nearest has a neighbor that is nearer. Without
+The answers are right for the reasons that hold in the plane (\ref
+DynamicDelaunaySubsection_Queries). Whoever is not nearest has a neighbor that is nearer. Without
 cells, for points in a plane or on a line, each query looks at all points.
 
 \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`, whose `Geom_traits` have `Compare_distance_3`
