@@ -20,7 +20,8 @@ import sys
 # Doxygen links to a list of nested classes at the top of a page, also if all of them are private.
 DOXYGENS_OWN = {"#nested-classes"}
 # What a checkpoint begins with.
-WORDS_OF_FILES = {("DynamicDelaunayTriangulation2Checkpoints.html", "Dynamic_population_2")}
+WORDS_OF_FILES = {("DynamicDelaunayTriangulation2Checkpoints.html", name)
+                  for name in ("Dynamic_population_2", "Dynamic_population_3")}
 REFERENCE = "group__PkgDynamicDelaunayTriangulation2Ref.html"
 COMMAND = re.compile(r"\\(?:ref|cgal\w+|ingroup|link|anchor|page|section|subsection|snippet)\b.{0,40}")
 CODE = re.compile(r"<pre.*?</pre>|<div class=\"fragment\">.*?</div><!-- fragment -->|<script.*?</script>", re.S)
