@@ -3,6 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Runs benchmarks and writes what they print to NAME.txt beside this script: renew.sh NAME...
+# serial_share is what scale prints with --serial.
 # The first lines of a file give the command, the day and the machine.
 
 set -euo pipefail
@@ -10,8 +11,16 @@ set -euo pipefail
 results=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd -P)
 dev=$results/../../dev
 
+benchmark_of() {
+  case $1 in
+  serial_share) echo scale ;;
+  *) echo "$1" ;;
+  esac
+}
+
 options_of() {
   case $1 in
+  serial_share) echo --serial ;;
   cells | simulation_helpers) echo --benchmark_min_time=0.1 --benchmark_repetitions=7 ;;
   esac
 }
@@ -23,14 +32,15 @@ options_of() {
 new=$(mktemp)
 trap 'rm -f "$new"' EXIT
 for name in "$@"; do
+  benchmark=$(benchmark_of "$name")
   read -r -a options <<<"$(options_of "$name")"
-  command="./dev bench $name${options[*]:+ ${options[*]}}"
+  command="./dev bench $benchmark${options[*]:+ ${options[*]}}"
   {
     echo "# $command"
     echo "# Measured on $(date -u +%F); $(nproc) cores, $(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -n 1)," \
       "$("${CXX:-g++}" --version | head -n 1)"
     echo
-    "$dev" bench "$name" "${options[@]}"
+    "$dev" bench "$benchmark" "${options[@]}"
   } >"$new"
   cat "$new" >"$results/$name.txt" # not before: a run that fails leaves the last result
   echo "$results/$name.txt"
