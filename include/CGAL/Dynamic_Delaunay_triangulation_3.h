@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
@@ -122,9 +123,13 @@ class Dynamic_Delaunay_triangulation_3
   using Point_id = Dynamic_Delaunay_triangulations_3::Point_id;
   using Vertex_index = Dynamic_Delaunay_triangulations_3::Vertex_index;
   template <class Range>
-  using If_range = decltype(std::begin(std::declval<const Range&>()));
+  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
   template <class Map>
-  using If_map = typename boost::property_traits<Map>::key_type;
+  using If_map = Dynamic_Delaunay_triangulations_2::internal::If_map<Map>;
+  template <class Iterator>
+  using First_of = Dynamic_Delaunay_triangulations_2::internal::First_of<Iterator>;
+  template <class Iterator>
+  using Second_of = Dynamic_Delaunay_triangulations_2::internal::Second_of<Iterator>;
 
 public:
   /// \name Types
@@ -228,16 +233,10 @@ public:
     return run(change);
   }
 
-  /// moves all points to the positions of a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Update_report_3 update(const Range& range)
-  {
-    return update(std::begin(range), std::end(range));
-  }
-
-  /// moves all points to the positions that `point_map` reads from a range.
-  template <class Range, class PointMap, class = If_range<Range>, class = If_map<PointMap>>
-  Update_report_3 update(const Range& range, const PointMap& point_map)
+  /// takes the positions from a range with `begin()` and `end()`.
+  template <class Range, class PointMap = Identity_map, class = If_range<Range>,
+            class = If_map<PointMap>>
+  Update_report_3 update(const Range& range, const PointMap& point_map = PointMap())
   {
     return update(std::begin(range), std::end(range), point_map);
   }
@@ -246,26 +245,39 @@ public:
   /// millisecond each, but never much more than to triangulate all points anew.
   ///
   /// Nothing changes if it throws one of these, or if the range throws.
-  /// \tparam InputIterator its values are pairs of an id and a `Point`.
+  /// \tparam IdMap, PointMap models of `ReadablePropertyMap` from the range's values to ids, any
+  ///   integers, and to `Point`; by default the values are pairs of both.
   /// \throws Unknown_id_error_2 if no point has one of the ids.
   /// \throws Repeated_id_error_2 if an id is there more than once.
   /// \throws Non_finite_coordinate_error_3 if a coordinate is NaN or infinite.
   /// \throws Coordinate_range_error_3 if a coordinate is too large for this program.
   /// \post `is_certified()`
-  template <class InputIterator>
-  Update_report_3 move(InputIterator first, InputIterator beyond)
+  template <class InputIterator, class IdMap = First_of<InputIterator>,
+            class PointMap = Second_of<InputIterator>>
+  Update_report_3 move(InputIterator first, InputIterator beyond, const IdMap& id_map = IdMap(),
+                       const PointMap& point_map = PointMap())
   {
     const Floating_point floating_point;
     Change change;
     for (; first != beyond; ++first) {
-      const auto& [id, point] = *first;
-      check_id(size_type(id));
-      Dynamic_Delaunay_triangulations_3::internal::checked_position<Point>(point, size_type(id));
+      auto&& value = *first;
+      const auto id = size_type(get(id_map, value));
+      check_id(id);
       change.moved.emplace_back(id);
-      change.moved_points.push_back(point);
+      change.moved_points.push_back(get(point_map, value));
+      Dynamic_Delaunay_triangulations_3::internal::checked_position(change.moved_points.back(), id);
     }
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(change.moved);
     return run(change);
+  }
+
+  /// moves the points of a range with `begin()` and `end()`.
+  template <class Range, class IdMap = First_of<If_range<Range>>,
+            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
+  Update_report_3 move(const Range& range, const IdMap& id_map = IdMap(),
+                       const PointMap& point_map = PointMap())
+  {
+    return move(std::begin(range), std::end(range), id_map, point_map);
   }
 
   /// moves one point.
@@ -297,13 +309,35 @@ public:
   Update_report_3 insert(InputIterator first, InputIterator beyond,
                          OutputIterator ids = OutputIterator())
   {
+    return insert(first, beyond, Identity_map(), ids);
+  }
+
+  /// reads the points from the values of the range by `point_map`.
+  template <class InputIterator, class PointMap, class OutputIterator>
+  Update_report_3 insert(InputIterator first, InputIterator beyond, const PointMap& point_map,
+                         OutputIterator ids)
+  {
     const Floating_point floating_point;
     Change change;
-    Input::read_newcomers(first, beyond, m_core->state, change);
+    Input::read_newcomers(first, beyond, point_map, m_core->state, change);
     const Update_report_3 report = run(change);
     for (const Point_id id : change.coming)
       *ids++ = size_type(id);
     return report;
+  }
+
+  /// inserts the points of a range with `begin()` and `end()`.
+  template <class Range, class OutputIterator = Emptyset_iterator, class = If_range<Range>>
+  Update_report_3 insert(const Range& range, OutputIterator ids = OutputIterator())
+  {
+    return insert(std::begin(range), std::end(range), Identity_map(), ids);
+  }
+
+  /// reads the points by `point_map` from the values of a range with `begin()` and `end()`.
+  template <class Range, class PointMap, class OutputIterator, class = If_range<Range>>
+  Update_report_3 insert(const Range& range, const PointMap& point_map, OutputIterator ids)
+  {
+    return insert(std::begin(range), std::end(range), point_map, ids);
   }
 
   /// removes a point; its id becomes free.
@@ -325,6 +359,12 @@ public:
     }
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(change.gone);
     return run(change);
+  }
+  /// removes the points whose ids are in a range with `begin()` and `end()`.
+  template <class Range, class = If_range<Range>>
+  Update_report_3 remove(const Range& ids)
+  {
+    return remove(std::begin(ids), std::end(ids));
   }
   /// removes the points with these ids.
   Update_report_3 remove(std::initializer_list<size_type> ids)

@@ -11,6 +11,7 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
+#include <boost/property_map/property_map.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
 #include <list>
 #include <map>
@@ -123,6 +125,82 @@ TEST(Points_in_space, may_be_read_from_any_range)
     moved.emplace_back(p.y(), p.z(), p.x());
   dt.update(moved.begin(), moved.end());
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, Points(moved.begin(), moved.end())));
+  dt.update(list);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
+// What a simulation has of a particle.
+struct Particle
+{
+  int id = 0;
+  double mass = 1;
+  Point center;
+};
+
+struct Id_of_particle
+{
+  using key_type = Particle;
+  using value_type = int;
+  using reference = const int&;
+  using category = boost::readable_property_map_tag;
+  friend reference get(Id_of_particle, const Particle& particle) { return particle.id; }
+};
+
+struct Center_of_particle
+{
+  using key_type = Particle;
+  using value_type = Point;
+  using reference = const Point&;
+  using category = boost::readable_property_map_tag;
+  friend reference get(Center_of_particle, const Particle& particle) { return particle.center; }
+};
+
+TEST(Points_in_space, may_be_parts_of_any_values)
+{
+  const Points points = random_points(40);
+  std::list<Particle> particles;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    particles.push_back({int(i), 1.5, points[i]});
+
+  Dynamic dt;
+  std::vector<std::size_t> ids;
+  dt.insert(particles, Center_of_particle(), std::back_inserter(ids));
+  ASSERT_EQ(ids.size(), points.size());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+
+  Points moved = points;
+  for (Particle& particle : particles) {
+    particle.center = Point(particle.center.x(), particle.center.z(), particle.center.y());
+    moved[std::size_t(particle.id)] = particle.center;
+  }
+  dt.update(particles, Center_of_particle());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, moved));
+
+  particles.resize(3);
+  for (Particle& particle : particles)
+    particle.center = points[std::size_t(particle.id)];
+  std::copy_n(points.begin(), 3, moved.begin());
+  dt.move(particles, Id_of_particle(), Center_of_particle());
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, moved));
+  particles.front().id = -1;
+  EXPECT_THROW(dt.move(particles, Id_of_particle(), Center_of_particle()),
+               CGAL::Unknown_id_error_2);
+}
+
+TEST(Points_in_space, come_and_go_as_ranges)
+{
+  const Points points = random_points(40);
+  Dynamic dt;
+  dt.insert(points);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  dt.move(std::map<std::size_t, Point>{{0, points[1]}, {1, points[0]}});
+  EXPECT_EQ(dt.point(0), points[1]);
+  dt.remove(std::set<int>{0, 1, 2});
+  EXPECT_EQ(dt.number_of_points(), 37u);
+  std::vector<std::size_t> ids;
+  dt.insert(Points(points.begin(), points.begin() + 3), std::back_inserter(ids));
+  EXPECT_EQ(ids, (std::vector<std::size_t>{0, 1, 2}));
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }
 
 // MOTION ------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
@@ -30,7 +31,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #endif
 #include <CGAL/iterator.h>
-#include <CGAL/property_map.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -94,16 +94,6 @@ struct Chosen_types_2 : Options_check_2<Options...>
 
 // Stands for any visitor but the default one.
 struct Heard_visitor_2;
-
-// A valid type if Map is a property map.
-template <class Map>
-using If_map = typename boost::property_traits<Map>::key_type;
-
-// Maps that read the parts of the pairs to which an iterator points.
-template <class Iterator>
-using First_of = First_of_pair_property_map<typename std::iterator_traits<Iterator>::value_type>;
-template <class Iterator>
-using Second_of = Second_of_pair_property_map<typename std::iterator_traits<Iterator>::value_type>;
 
 // What other headers of the package use of the classes of triangulations, and programs do not.
 struct Triangulation_access_2

@@ -8,12 +8,12 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Population_frame.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_3.h>
-#include <CGAL/property_map.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -47,12 +47,11 @@ class Dynamic_population_3
       Dynamic_Delaunay_triangulations_2::internal::Population_frame<UserId,
                                                                     typename Dynamic::Point>;
   template <class Range>
-  using If_range = decltype(std::begin(std::declval<const Range&>()));
+  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
   template <class Iterator>
-  using First_of = First_of_pair_property_map<typename std::iterator_traits<Iterator>::value_type>;
+  using First_of = Dynamic_Delaunay_triangulations_2::internal::First_of<Iterator>;
   template <class Iterator>
-  using Second_of =
-      Second_of_pair_property_map<typename std::iterator_traits<Iterator>::value_type>;
+  using Second_of = Dynamic_Delaunay_triangulations_2::internal::Second_of<Iterator>;
 
 public:
   /// \name Types

@@ -26,10 +26,6 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// A valid type if Range has begin().
-template <class Range>
-using If_range = decltype(std::begin(std::declval<const Range&>()));
-
 // The input of a call, read and checked.
 template <class Point>
 struct Change_2

@@ -81,15 +81,15 @@ public:
   }
 
   // Reads points to insert.
-  template <class InputIterator>
-  static void read_newcomers(InputIterator first, InputIterator beyond, const State& state,
-                             Change_3<Point>& change)
+  template <class InputIterator, class PointMap>
+  static void read_newcomers(InputIterator first, InputIterator beyond, const PointMap& point_map,
+                             const State& state, Change_3<Point>& change)
   {
     const std::size_t present = state.ids.number_of_points();
     for (; first != beyond; ++first) {
       if (present + change.coming_points.size() == max_points)
         throw Point_limit_error_2(max_points + 1, max_points);
-      change.coming_points.push_back(*first);
+      change.coming_points.push_back(get(point_map, *first));
     }
     state.ids.list_next_ids(change.coming_points.size(), change.coming);
     for (std::size_t i = 0; i < change.coming.size(); ++i)

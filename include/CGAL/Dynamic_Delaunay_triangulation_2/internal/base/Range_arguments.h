@@ -1,0 +1,34 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_BASE_RANGE_ARGUMENTS_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_BASE_RANGE_ARGUMENTS_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/property_map.h>
+
+#include <boost/property_map/property_map.hpp>
+
+#include <iterator>
+#include <utility>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+// A valid type if Range has begin().
+template <class Range>
+using If_range = decltype(std::begin(std::declval<const Range&>()));
+
+// A valid type if Map is a property map.
+template <class Map>
+using If_map = typename boost::property_traits<Map>::key_type;
+
+// Maps that read the parts of the pairs to which an iterator points.
+template <class Iterator>
+using First_of = First_of_pair_property_map<typename std::iterator_traits<Iterator>::value_type>;
+template <class Iterator>
+using Second_of = Second_of_pair_property_map<typename std::iterator_traits<Iterator>::value_type>;
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_BASE_RANGE_ARGUMENTS_H
