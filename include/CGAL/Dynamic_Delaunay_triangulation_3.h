@@ -241,8 +241,9 @@ public:
     return update(std::begin(range), std::end(range), point_map);
   }
 
-  /// moves some points, and repairs what that breaks; all others stay. Cost: about a tenth of a
-  /// millisecond each, but never much more than to triangulate all points anew.
+  /// moves some points, and repairs what that breaks; all others stay. Cost of each: proportional
+  /// to the number of its neighbors if it stays between them, elsewhere that of a removal and an
+  /// insertion; but never much more than to triangulate all points anew.
   ///
   /// Nothing changes if it throws one of these, or if the range throws.
   /// \tparam IdMap, PointMap models of `ReadablePropertyMap` from the range's values to ids, any

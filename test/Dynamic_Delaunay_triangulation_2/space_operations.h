@@ -101,6 +101,20 @@ public:
     EXPECT_TRUE(m_triangulation.move(movers.begin(), movers.end()).certified);
   }
 
+  // Several at once, most of them within the cells around them.
+  void move_some_a_little()
+  {
+    static constexpr double steps[] = {1e-6, 0.01, 0.1, 0.3};
+    const double step = steps[number_below(4)] * m_extent / std::cbrt(double(m_points.size() + 1));
+    std::vector<std::pair<std::size_t, Point>> movers;
+    for (auto& [id, point] : m_points)
+      if (number_below(12) == 0) {
+        const Position p = shaken(position_of(point), step);
+        movers.emplace_back(id, point = Point(p.x, p.y, p.z));
+      }
+    EXPECT_TRUE(m_triangulation.move(movers).certified);
+  }
+
   // One frame of some motion.
   void move_all()
   {

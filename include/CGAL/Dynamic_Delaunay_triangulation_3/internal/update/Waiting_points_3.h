@@ -70,7 +70,8 @@ public:
                                       [this](Vertex_index v) { return take_out(v); });
   }
 
-  // Moves points alone: they are taken out, and wait to be inserted.
+  // Moves points alone: a short way with the cells around them; others are taken out, and wait to
+  // be inserted.
   bool move(const Change_3<Point>& change, bool is_mending)
   {
     bool is_right = true;
@@ -174,12 +175,41 @@ private:
       m_pending.push_back({null_index, id, place_of(point), v});
       return true;
     }
+    m_state.positions_are_exact = m_state.positions_are_exact && has_exact_position(point);
+    if (is_mending && move_within_star(v, place_of(point)))
+      return true;
     const Vertex_index beside = is_mending ? some_neighbor(v) : Vertex_index(null_index);
     const bool is_right = !is_mending || take_out(v);
     m_state.positions.set(v, place_of(point));
-    m_state.positions_are_exact = m_state.positions_are_exact && has_exact_position(point);
     m_pending.push_back({v, id, place_of(point), beside});
     return is_right;
+  }
+
+  // Moves a vertex whose finite cells stay positive, and flips. As their border does not move, they
+  // cover what they did, once. False, and nothing has changed, if a cell is infinite or inverted,
+  // or if flips are stuck.
+  bool move_within_star(Vertex_index v, const Place& place)
+  {
+    Arrays& arrays = m_state.arrays;
+    find_star(arrays, v, m_state.marks, m_star);
+    const Place before = m_state.positions.place(v);
+    m_state.positions.set(v, place);
+    const bool is_inside = std::all_of(m_star.begin(), m_star.end(), [&](Cell_index c) {
+      return !arrays.is_infinite(c) && m_flips.signs().is_positive(arrays.vertices(c));
+    });
+    if (is_inside) {
+      arrays.begin();
+      for (const Cell_index c : m_star)
+        m_flips.open_cell(c);
+      m_flips.run();
+      if (m_flips.take_stuck().empty()) {
+        arrays.commit();
+        return true;
+      }
+      arrays.undo();
+    }
+    m_state.positions.set(v, before);
+    return false;
   }
 
   bool take_out(Vertex_index v)
