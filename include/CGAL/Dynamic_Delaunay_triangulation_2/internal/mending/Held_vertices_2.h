@@ -7,10 +7,10 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Hull_flips_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Hull_turn_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
@@ -43,6 +43,7 @@ public:
     : m_state(state)
     , m_editor(editor)
     , m_hull_turn(state)
+    , m_hull_flips(state, editor)
   {
   }
 
@@ -325,77 +326,19 @@ private:
     });
   }
 
-  // THE HULL, OR THE SIDES OF A SLAB --------------------------------------------------------------
-
   // Flips edges of the hull through which the vertex opposite to them has left. All other faces
   // stay.
   void peel()
   {
+    const auto& arrays = m_state.arrays();
     for (std::size_t i = 0; i < m_inverted.size(); ++i)
-      for (const Halfedge_index h : Arrays::halfedges_of(m_inverted[i]))
-        if (m_state.is_hull_edge(h) && has_left_through(h)) {
-          const auto& arrays = m_state.arrays();
-          const Halfedge_index left = arrays.twin(Arrays::next(h)),
-                               right = arrays.twin(Arrays::previous(h));
-          flip_and_note(h, m_peeled);
-          add_if_inverted(Arrays::face_of(left), m_inverted);
-          add_if_inverted(Arrays::face_of(right), m_inverted);
-          break;
-        }
-  }
-
-  // Flips, and lists the edges whose test that may have changed.
-  void flip_and_note(Halfedge_index h, std::vector<Edge_index>& edges)
-  {
-    const Edge_index e = m_state.arrays().edge_of(h);
-    m_editor.flip(h);
-    edges.push_back(e);
-    m_state.arrays().for_each_side(e, [&](Edge_index side) { edges.push_back(side); });
-  }
-
-  bool has_left_through(Halfedge_index h) const
-  {
-    const auto& arrays = m_state.arrays();
-    if constexpr (State::has_hull) {
-      const typename State::Edge_test test(m_state);
-      return is_over(h) && test.state(arrays.edge_of(h)) == Edge_state_2::INVERTED &&
-             m_editor.can_flip(h);
-    } else
-      return can_flip_into_gap(h);
-  }
-
-  // Whether the edge of h, on a side of a slab, can be flipped so that both new faces are
-  // counterclockwise.
-  bool can_flip_into_gap(Halfedge_index h) const
-  {
-    constexpr typename State::Chart chart{};
-    const auto a = m_state.site_in(h, chart);
-    const auto b = m_state.site_in(Arrays::next(h), chart);
-    const auto c = m_state.site_in(Arrays::previous(h), chart);
-    const auto d = m_state.site_in(m_state.arrays().twin(h), m_state.chart_beyond(h, chart));
-    const typename State::Predicates predicates(m_state);
-    return predicates.orientation(a, b, d) == LEFT_TURN &&
-           predicates.orientation(d, c, a) == LEFT_TURN && m_editor.can_flip(h);
-  }
-
-  // Whether the apex of h projects onto the edge of h, and the edge has not turned around. If not,
-  // one end of the edge has moved past the other: flipping the edge would let the hull turn twice.
-  bool is_over(Halfedge_index h) const
-  {
-    const auto& arrays = m_state.arrays();
-    const Vertex_index v = arrays.source(h), w = arrays.target(h);
-    const Position_2 a = m_state.positions()[arrays.apex(h)], b = m_state.positions()[v],
-                     c = m_state.positions()[w];
-    return dot(c - b, m_state.rest_position(w) - m_state.rest_position(v)) > 0 &&
-           dot(c - b, a - b) > 0 && dot(b - c, a - c) > 0;
-  }
-
-  bool is_on_hull(Vertex_index v) const
-  {
-    bool is = false;
-    m_state.arrays().for_each_corner(
-        v, [&](Halfedge_index h) { is = is || m_state.is_infinite_face(Arrays::face_of(h)); });
-    return is;
+      if (const Halfedge_index h = m_hull_flips.edge_left_through(m_inverted[i]); h != null_index) {
+        const Halfedge_index left = arrays.twin(Arrays::next(h)),
+                             right = arrays.twin(Arrays::previous(h));
+        m_hull_flips.flip(h, m_peeled);
+        add_if_inverted(Arrays::face_of(left), m_inverted);
+        add_if_inverted(Arrays::face_of(right), m_inverted);
+      }
   }
 
   // WHO IS HELD, AND WHERE. Plain floating point decides, because a bad decision affects only the
@@ -568,9 +511,9 @@ private:
   bool is_to_be_taken_out(const Held& held) const
   {
     if constexpr (State::has_hull)
-      return held.goes_far || is_on_hull(held.vertex);
+      return held.goes_far || m_hull_flips.is_on_hull(held.vertex);
     else
-      return held.goes_far && edge_into_gap(held.vertex) == null_index;
+      return held.goes_far && m_hull_flips.edge_into_gap(held.vertex) == null_index;
   }
 
   static Progress progress_of(double share)
@@ -585,31 +528,15 @@ private:
     double share = move_in_star(held);
     if constexpr (!State::has_hull)
       while (share == 0) {
-        const Halfedge_index h = edge_into_gap(held.vertex);
+        const Halfedge_index h = m_hull_flips.edge_into_gap(held.vertex);
         if (h == null_index)
           break;
-        flip_and_note(h, m_changed);
+        m_hull_flips.flip(h, m_changed);
         share = move_in_star(held);
       }
     if (share > 0)
       append_edges_that_see(held.vertex, m_changed);
     return share;
-  }
-
-  // A vertex on a side of a slab may be unable to leave that side, and the only one there, whose
-  // faces meet images of themselves, cannot be taken out. But its edges along the side can be
-  // flipped into the gap. Returns such an edge, as a half-edge, or `null_index`. Each flip takes an
-  // edge from the vertex, so there are only a few.
-  Halfedge_index edge_into_gap(Vertex_index v) const
-  {
-    const auto& arrays = m_state.arrays();
-    Halfedge_index found = null_index;
-    arrays.for_each_corner(v, [&](Halfedge_index h) {
-      for (const Halfedge_index along : {Arrays::next(h), Arrays::previous(h)})
-        if (found == null_index && m_state.is_hull_edge(along) && can_flip_into_gap(along))
-          found = along;
-    });
-    return found;
   }
 
   double move_in_star(const Held& held)
@@ -635,6 +562,7 @@ private:
   const State& m_state;
   Editor& m_editor;
   Hull_turn_2<State> m_hull_turn;
+  Hull_flips_2<State> m_hull_flips;
   bool m_is_hull_held = false;
   std::vector<Held> m_held;
   std::vector<Bond> m_bonds;          // indexed by vertices; FREE between updates
