@@ -86,7 +86,8 @@ positions of all points, repairs what the motion broke, and reports what it did.
 Points have ids: 0, 1, 2, ... in the order in which they are given, as in
 `Dynamic_Delaunay_triangulation_2`. `insert()` adds points, and `remove()` removes them. The id of a
 removed point is free, and the next point that is inserted gets the smallest free id. Points that
-coincide share a vertex as long as they do; their representative is the one that was there first.
+coincide share a vertex as long as they do; their representative is the one that was there first,
+and of those that are inserted together the one with the smallest id.
 
 After every call the triangulation is <em>certified</em>: exact predicates have proved that its
 cells are positively oriented, that they cover the convex hull once, and that each facet is locally

@@ -203,6 +203,31 @@ TEST(Points_in_space, come_and_go_as_ranges)
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }
 
+// Of points that come to one place together the one with the smallest id is the representative,
+// unless another one is there.
+TEST(Points_in_space, that_coincide_are_represented_by_the_first)
+{
+  for (const bool is_flat : {false, true})
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+      std::mt19937 random(seed);
+      std::uniform_int_distribution<int> place(0, 3);
+      Points points;
+      for (int i = 0; i < 60; ++i)
+        points.emplace_back(place(random), place(random), is_flat ? 1 : place(random));
+      for (const std::ptrdiff_t first : {0, 20, 40}) { // a rebuild, and insertion of the others
+        Dynamic dt(Points(points.begin(), points.begin() + first));
+        dt.insert(points.begin() + first, points.begin() + 45);
+        for (std::ptrdiff_t i = 45; i < 60; i += 5)
+          dt.insert(points.begin() + i, points.begin() + i + 5);
+        for (std::size_t id = 0; id < points.size(); ++id)
+          EXPECT_EQ(
+              dt.representative(id),
+              std::size_t(std::find(points.begin(), points.end(), points[id]) - points.begin()));
+        ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+      }
+    }
+}
+
 // MOTION ------------------------------------------------------------------------------------------
 
 struct Shaken

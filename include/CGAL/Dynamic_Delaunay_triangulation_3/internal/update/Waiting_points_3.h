@@ -118,9 +118,13 @@ public:
   {
     std::size_t merged = 0;
     sort_pending();
+    m_first_new = null_index;
     m_has_start = false;
-    for (const Pending& pending : m_pending)
+    for (const Pending& pending : m_pending) {
+      if (m_first_new == null_index && pending.beside == null_index)
+        m_first_new = Vertex_index(m_state.positions.number());
       merged += insert(pending);
+    }
     drop_vertices_without_cells();
     return merged;
   }
@@ -263,6 +267,8 @@ private:
     m_without_cells.push_back(v);
     if (pending.vertex == null_index) {
       ids.place_covered(pending.id, other, pending.place.point());
+      if (other >= m_first_new && pending.id < ids.representative(other))
+        ids.exchange_representative(pending.id, m_state.point(other));
       return false;
     }
     ids.reserve_for_covered(1);
@@ -352,6 +358,7 @@ private:
   Vertex_removal_3<State> m_removal;
   std::vector<Pending> m_pending;
   std::vector<Vertex_index> m_without_cells; // vertices that have lost their points
+  Vertex_index m_first_new;                  // from here on, vertices are of new points
   bool m_has_start = false;                  // the last insertion is close to the next one
   std::vector<Cell_index> m_star;
 };

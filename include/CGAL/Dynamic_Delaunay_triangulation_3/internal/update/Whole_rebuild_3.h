@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Vertex_order_3.h>
 
 #include <cstddef>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -40,15 +41,28 @@ public:
     take_over(points);
     std::vector<std::pair<Vertex_index, Vertex_index>> covered;
     m_static.triangulate(covered);
-    if (!covered.empty())
-      cover(points, covered);
+    if (covered.empty())
+      return;
+    for (const auto& [v, other] : covered)
+      if (points[v - 1].precedes(points[other - 1]))
+        std::swap(points[v - 1], points[other - 1]);
+    cover(points, covered);
   }
 
 private:
+  enum class Kind { REPRESENTATIVE, COVERED, NEW };
+
   struct Located
   {
     Point_id id;
     Place place;
+    Kind kind;
+
+    // Whether it represents the other point where they coincide.
+    bool precedes(const Located& other) const
+    {
+      return std::tie(kind, id) < std::tie(other.kind, other.id);
+    }
   };
 
   std::vector<Located> all_points(const Change_3<Point>& change) const
@@ -58,12 +72,12 @@ private:
     points.reserve(ids.number_of_points() + change.coming.size());
     for (Vertex_index v(1); v < m_state.positions.number(); ++v)
       if (ids.has_representative(v))
-        points.push_back({ids.representative(v), m_state.positions.place(v)});
+        points.push_back({ids.representative(v), m_state.positions.place(v), Kind::REPRESENTATIVE});
     for (const Point_id id : ids.covered_ids())
-      points.push_back({id, place_of(ids.covered_point(id))});
+      points.push_back({id, place_of(ids.covered_point(id)), Kind::COVERED});
     for (std::size_t i = 0; i < change.coming.size(); ++i)
       if (!ids.is_taken(change.coming[i]))
-        points.push_back({change.coming[i], place_of(change.coming_points[i])});
+        points.push_back({change.coming[i], place_of(change.coming_points[i]), Kind::NEW});
     return points;
   }
 
