@@ -5,6 +5,7 @@
 
 #include "space_operations.h"
 #include "space_oracle.h"
+#include "space_points.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/convert_to_delaunay_triangulation_3.h>
@@ -39,6 +40,8 @@ using Dynamic = CGAL::Dynamic_Delaunay_triangulation_3<Epick>;
 using Point = Dynamic::Point;
 using Points = std::vector<Point>;
 using space_operations::Program;
+using space_points::lattice;
+using space_points::random_points;
 
 std::map<std::size_t, Point> by_id(const Points& points)
 {
@@ -46,28 +49,6 @@ std::map<std::size_t, Point> by_id(const Points& points)
   for (std::size_t id = 0; id < points.size(); ++id)
     result.emplace(id, points[id]);
   return result;
-}
-
-Points random_points(std::size_t number, unsigned seed = 1)
-{
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> coordinate(0, 1);
-  Points points;
-  for (std::size_t i = 0; i < number; ++i) {
-    const double x = coordinate(random), y = coordinate(random);
-    points.emplace_back(x, y, coordinate(random));
-  }
-  return points;
-}
-
-Points lattice(int edge)
-{
-  Points points;
-  for (int x = 0; x < edge; ++x)
-    for (int y = 0; y < edge; ++y)
-      for (int z = 0; z < edge; ++z)
-        points.emplace_back(x, y, z);
-  return points;
 }
 
 void expect_exact(const Dynamic& dt, const Points& points)

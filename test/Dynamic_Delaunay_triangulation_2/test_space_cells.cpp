@@ -5,6 +5,7 @@
 
 #include "exact_cell.h"
 #include "space_operations.h"
+#include "space_points.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_neighbor_lists_3.h>
@@ -40,42 +41,11 @@ using Points = std::vector<Point>;
 using Measures = CGAL::Voronoi_cell_measures_3;
 using Lists = CGAL::Delaunay_neighbor_lists_3;
 using space_operations::Program;
+using space_points::lattice;
+using space_points::random_points;
+using space_points::shaken;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-Points random_points(std::size_t number, unsigned seed = 1)
-{
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> coordinate(0, 1);
-  Points points;
-  for (std::size_t i = 0; i < number; ++i) {
-    const double x = coordinate(random), y = coordinate(random);
-    points.emplace_back(x, y, coordinate(random));
-  }
-  return points;
-}
-
-Points lattice(int edge)
-{
-  Points points;
-  for (int x = 0; x < edge; ++x)
-    for (int y = 0; y < edge; ++y)
-      for (int z = 0; z < edge; ++z)
-        points.emplace_back(x, y, z);
-  return points;
-}
-
-Points shaken(const Points& points, double step, unsigned seed)
-{
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal(0, step);
-  Points result;
-  for (const Point& p : points) {
-    const double x = p.x() + normal(random), y = p.y() + normal(random);
-    result.emplace_back(x, y, p.z() + normal(random));
-  }
-  return result;
-}
 
 template <class Of_neighbors>
 std::map<std::size_t, double> facets(const Of_neighbors& measures, std::size_t id)

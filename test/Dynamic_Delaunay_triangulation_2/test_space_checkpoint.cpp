@@ -8,6 +8,7 @@
 #include "replaced_heap.h"
 #include "space_operations.h"
 #include "space_oracle.h"
+#include "space_points.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -37,18 +38,7 @@ using Exact = CGAL::Dynamic_Delaunay_triangulation_3<Epeck>;
 using Point = Dynamic::Point;
 using Points = std::vector<Point>;
 using space_operations::Program;
-
-Points random_points(std::size_t number, unsigned seed = 1)
-{
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> coordinate(0, 1);
-  Points points;
-  for (std::size_t i = 0; i < number; ++i) {
-    const double x = coordinate(random), y = coordinate(random);
-    points.emplace_back(x, y, coordinate(random));
-  }
-  return points;
-}
+using space_points::random_points;
 
 template <class Any>
 std::map<std::size_t, typename Any::Point> points_of(const Any& dt)

@@ -6,6 +6,7 @@
 
 #include "replaced_heap.h"
 #include "space_oracle.h"
+#include "space_points.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -18,7 +19,6 @@
 #include <functional>
 #include <map>
 #include <new>
-#include <random>
 #include <sstream>
 #include <vector>
 
@@ -28,6 +28,8 @@ using Dynamic = CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick>;
 using Point = Dynamic::Point;
 using Points = std::vector<Point>;
 using Places = std::map<std::size_t, Point>;
+using space_points::random_points;
+using space_points::shaken;
 
 Places places_of(const Dynamic& dt)
 {
@@ -36,29 +38,6 @@ Places places_of(const Dynamic& dt)
     if (dt.has_id(id))
       places.emplace(id, dt.point(id));
   return places;
-}
-
-Points random_points(std::size_t number, unsigned seed = 1)
-{
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> coordinate(0, 1);
-  Points points;
-  for (std::size_t i = 0; i < number; ++i) {
-    const double x = coordinate(random), y = coordinate(random);
-    points.emplace_back(x, y, coordinate(random));
-  }
-  return points;
-}
-
-Points shaken(Points points, double step)
-{
-  std::mt19937_64 random(2);
-  std::normal_distribution<double> normal(0, step);
-  for (Point& p : points) {
-    const double x = p.x() + normal(random), y = p.y() + normal(random);
-    p = Point(x, y, p.z() + normal(random));
-  }
-  return points;
 }
 
 bool is_at(const Places& places, std::size_t id, const Point& p)

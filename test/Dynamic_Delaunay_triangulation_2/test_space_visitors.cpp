@@ -6,6 +6,7 @@
 #include "replaced_heap.h"
 #include "sealed_checkpoint.h"
 #include "space_operations.h"
+#include "space_points.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/convert_to_delaunay_triangulation_3.h>
@@ -21,7 +22,6 @@
 #include <cstdint>
 #include <map>
 #include <new>
-#include <random>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -84,6 +84,7 @@ struct Ledger : CGAL::Delaunay_update_visitor_base_3
 using Watched = CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick, CGAL::Sequential_tag, Ledger>;
 using Point = Watched::Point;
 using Points = std::vector<Point>;
+using space_points::random_points;
 
 template <class Dynamic>
 std::set<Edge> edges_of(const Dynamic& dt)
@@ -112,18 +113,6 @@ void expect_told(const Dynamic& dt)
   ASSERT_EQ(dt.visitor().edges, edges_of(dt));
   ASSERT_EQ(dt.visitor().facets, facets_of(dt));
   ASSERT_EQ(dt.visitor().begun, dt.visitor().ended);
-}
-
-Points random_points(std::size_t number, unsigned seed = 1)
-{
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> coordinate(0, 1);
-  Points points;
-  for (std::size_t i = 0; i < number; ++i) {
-    const double x = coordinate(random), y = coordinate(random);
-    points.emplace_back(x, y, coordinate(random));
-  }
-  return points;
 }
 
 class Watched_program : public testing::TestWithParam<std::tuple<int, double>>

@@ -9,22 +9,17 @@
 #include <CGAL/assertions.h>
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Boxed_cell_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Cell_measures_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/certified_state_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Flat_neighbors_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Measured_cells_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Rows_by_id_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_sites_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Voronoi_vertices_3.h>
-#include <CGAL/number_type_basic.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -128,12 +123,7 @@ public:
   template <class Dynamic>
   void compute(const Dynamic& dt, const Bbox_3& box)
   {
-    using Dynamic_Delaunay_triangulations_2::internal::check_extent;
-    constexpr double largest = 1e100; // its cube is a double
-    check_extent("the extent of the box along x", box.xmax() - box.xmin(), largest);
-    check_extent("the extent of the box along y", box.ymax() - box.ymin(), largest);
-    check_extent("the extent of the box along z", box.zmax() - box.zmin(), largest);
-    const Box bounds{{box.xmin(), box.ymin(), box.zmin()}, {box.xmax(), box.ymax(), box.zmax()}};
+    const Box bounds = Dynamic_Delaunay_triangulations_3::internal::checked_box(box);
     measure(dt, &bounds);
   }
 
@@ -141,9 +131,7 @@ public:
   template <class Dynamic>
   void compute(const Dynamic& dt, const typename Dynamic::Geom_traits::Iso_cuboid_3& box)
   {
-    compute(dt, Bbox_3(CGAL::to_double(box.xmin()), CGAL::to_double(box.ymin()),
-                       CGAL::to_double(box.zmin()), CGAL::to_double(box.xmax()),
-                       CGAL::to_double(box.ymax()), CGAL::to_double(box.zmax())));
+    compute(dt, Dynamic_Delaunay_triangulations_3::internal::rounded_box(box));
   }
 
   /// @}
@@ -216,42 +204,21 @@ private:
     }
   }
 
-  // What measures the cells of one part.
-  template <class State>
-  struct Tools
-  {
-    Dynamic_Delaunay_triangulations_3::internal::Whole_cell_3<State> whole;
-    Dynamic_Delaunay_triangulations_3::internal::Boxed_cell_3<State> boxed;
-    std::vector<Dynamic_Delaunay_triangulations_3::internal::Cell_neighbor_3> neighbors;
-  };
-
   template <class State>
   void measure_vertices(const State& state, const Box* box)
   {
     using namespace Dynamic_Delaunay_triangulations_3::internal;
-    using Parts = typename State::Parts;
-    const Scaled_sites_3<State> sites(
-        state, box == nullptr
-                   ? 0.0
-                   : (std::max)(largest_coordinate(box->low), largest_coordinate(box->high)));
-    std::optional<Voronoi_vertices_3<State>> corners;
-    Flat_neighbors_3 flat;
-    if (state.spans_space)
-      corners.emplace(sites);
-    else
-      flat.list_cells(state);
-    std::optional<Box> scaled_box;
-    if (box != nullptr)
-      scaled_box = Box{sites.scaled(box->low), sites.scaled(box->high)};
-    std::vector<Tools<State>> tools(Parts::number(state.number_of_vertices(), least_stars<Parts>));
+    Measured_cells_3<State> cells(state, box);
+    const double unit = cells.sites().unit();
     m_rows.compute(
         state, 0,
         [&](Vertex_index v, size_type part, std::vector<Facet>& facets) {
-          measure_cell(sites, corners, flat, scaled_box, v, tools[part]);
+          const auto& cell = cells.measure(v, part);
+          store(state, v, cell);
           const auto begin = std::ptrdiff_t(facets.size());
-          for (const Cell_neighbor_3& neighbor : tools[part].neighbors)
-            facets.push_back({state.ids.representative(neighbor.vertex),
-                              neighbor.area * sites.unit() * sites.unit()});
+          for (const Cell_neighbor_3& neighbor : cell.neighbors)
+            facets.push_back(
+                {state.ids.representative(neighbor.vertex), neighbor.area * unit * unit});
           std::sort(facets.begin() + begin, facets.end(),
                     [](const Facet& f, const Facet& g) { return f.neighbor < g.neighbor; });
         },
@@ -265,38 +232,18 @@ private:
         });
   }
 
-  // Lists the neighbors with the areas of facets, and stores the measures of a vertex.
-  template <class Sites, class Corners, class State>
-  void measure_cell(const Sites& sites, const Corners& corners,
-                    const Dynamic_Delaunay_triangulations_3::internal::Flat_neighbors_3& flat,
-                    const std::optional<Box>& box, Vertex_index v, Tools<State>& tools)
+  template <class State, class Cell>
+  void store(const State& state, Vertex_index v, const Cell& cell)
   {
-    using namespace Dynamic_Delaunay_triangulations_3::internal;
-    Cell_measures_3 cell{infinity, infinity};
-    bool is_bounded = false;
-    tools.neighbors.clear();
-    if (corners) {
-      cell = tools.whole.measure(*corners, v);
-      is_bounded = tools.whole.is_bounded();
-      tools.neighbors = tools.whole.neighbors();
-    } else {
-      flat.for_each_neighbor(v, [&](Vertex_index w) { tools.neighbors.push_back({w, infinity}); });
-    }
-    const Position position = sites.state().positions.position(v);
-    Position centroid = position + sites.unit() * cell.centroid;
-    if (box && !(is_bounded && box->contains(sites.at(v), tools.whole.low(), tools.whole.high()))) {
-      cell = tools.boxed.measure(sites, v, tools.neighbors, *box);
-      is_bounded = true;
-      for (size_type i = 0; i < tools.neighbors.size(); ++i)
-        tools.neighbors[i].area = tools.boxed.area(i);
-      centroid = sites.unit() * cell.centroid;
-    }
-    const Point_id id = sites.state().ids.representative(v);
-    m_is_bounded[id] = is_bounded;
-    m_surface_areas[id] = cell.surface * sites.unit() * sites.unit();
-    m_volumes[id] = cell.volume * sites.unit() * sites.unit() * sites.unit();
-    const bool has_centroid = cell.volume > 0 && cell.volume < infinity && is_finite(centroid);
-    m_centroids[id] = has_centroid ? centroid : position;
+    using Dynamic_Delaunay_triangulations_3::internal::is_finite;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const Point_id id = state.ids.representative(v);
+    const auto& [volume, surface, centroid] = cell.measures;
+    m_volumes[id] = volume;
+    m_surface_areas[id] = surface;
+    m_is_bounded[id] = cell.is_bounded;
+    const bool has_centroid = volume > 0 && volume < infinity && is_finite(centroid);
+    m_centroids[id] = has_centroid ? centroid : state.positions.position(v);
   }
 
   // Takes the area of each facet from the cell of the smaller id.
@@ -334,8 +281,6 @@ private:
     for (size_type id = 0; id < points.size(); ++id)
       m_volumes[id] /= points[id];
   }
-
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   std::vector<double> m_volumes, m_surface_areas;
   std::vector<Position> m_centroids;

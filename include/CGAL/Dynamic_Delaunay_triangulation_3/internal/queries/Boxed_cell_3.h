@@ -52,9 +52,10 @@ class Boxed_cell_3
   using Sites = Scaled_sites_3<State>;
 
 public:
-  // Measures the cell with these neighbors. The centroid is not relative to the vertex.
-  Cell_measures_3 measure(const Sites& sites, Vertex_index v,
-                          const std::vector<Cell_neighbor_3>& neighbors, const Box_3& box)
+  // Measures the cell with these neighbors, and its facets with them. The centroid is not relative
+  // to the vertex.
+  Cell_measures_3 measure(const Sites& sites, Vertex_index v, const Box_3& box,
+                          std::vector<Cell_neighbor_3>& neighbors)
   {
     const Position_3 p = sites.at(v), center = box.center();
     const bool is_afar = size_of(p - center) > 2 * box.reach();
@@ -67,16 +68,19 @@ public:
       else
         m_polyhedron.cut(sites.bisector(v, neighbor.vertex), label++);
     }
-    m_areas.assign(label, 0);
-    if (m_polyhedron.is_empty())
-      return {};
-    Cell_measures_3 measures = m_polyhedron.measure(m_areas);
+    m_facets.assign(label, {0, {0, 0, 0}});
+    Cell_measures_3 measures;
+    if (!m_polyhedron.is_empty())
+      measures = m_polyhedron.measure(m_facets);
+    label = Cut_polyhedron_3::walls;
+    for (Cell_neighbor_3& neighbor : neighbors) {
+      const Measured_facet_3& facet = m_facets[label++];
+      neighbor.area = facet.area;
+      neighbor.moment = facet.moment + facet.area * (origin - p);
+    }
     measures.centroid = origin + measures.centroid;
     return measures;
   }
-
-  // The area of the facet of that cell with the i-th neighbor.
-  double area(std::size_t i) const { return m_areas[Cut_polyhedron_3::walls + i]; }
 
 private:
   static double size_of(const Position_3& p)
@@ -103,7 +107,7 @@ private:
   }
 
   Cut_polyhedron_3 m_polyhedron;
-  std::vector<double> m_areas;
+  std::vector<Measured_facet_3> m_facets; // by label
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

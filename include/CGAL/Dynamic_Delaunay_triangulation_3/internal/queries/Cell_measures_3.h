@@ -25,11 +25,13 @@ struct Cell_measures_3
   Position_3 centroid{0, 0, 0}; // of a whole cell relative to its vertex
 };
 
-// One neighbor of a cell, and the area of the facet between both.
+// One neighbor of a cell, the area of the facet between both, and that area times the vector from
+// the vertex of the cell to the centroid of the facet.
 struct Cell_neighbor_3
 {
   Vertex_index vertex;
   double area;
+  Position_3 moment{0, 0, 0};
 };
 
 // Measures whole Voronoi cells, one after the other. A cell consists of pyramids: their apex is the
@@ -52,9 +54,11 @@ public:
           const bool is_bounded = std::none_of(m_corners.begin(), m_corners.end(),
                                                Voronoi_vertices_3<State>::is_infinite);
           m_is_bounded = m_is_bounded && is_bounded;
-          if (vertices.span_area(v, w, ring, m_corners))
-            m_neighbors.push_back(
-                {w, is_bounded ? add_facet(vertices.sites().bisector(v, w)) : infinity});
+          if (!vertices.span_area(v, w, ring, m_corners))
+            return;
+          m_neighbors.push_back({w, infinity});
+          if (is_bounded)
+            add_facet(vertices.sites().bisector(v, w), m_neighbors.back());
         });
     if (!m_is_bounded)
       return {infinity, infinity};
@@ -70,8 +74,8 @@ public:
 private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
-  // Adds the pyramid over the facet with these corners in a plane, and returns its area.
-  double add_facet(const Plane_3& plane)
+  // Adds the pyramid over the facet with the corners in a plane, and measures the facet.
+  void add_facet(const Plane_3& plane, Cell_neighbor_3& facet)
   {
     const Position_3& first = m_corners[0];
     note_corner(first);
@@ -87,14 +91,17 @@ private:
       moment = moment + doubled * (last + side);
       last = side;
     }
-    if (!(doubled_area > 0)) // by rounding, or NaN, where a corner is too distant for doubles
-      return doubled_area <= 0 ? 0 : infinity;
+    if (!(doubled_area > 0)) { // by rounding, or NaN, where a corner is too distant for doubles
+      facet.area = doubled_area <= 0 ? 0 : infinity;
+      return;
+    }
     const double area = doubled_area / 2, volume = area * plane.distance / 3;
+    facet.area = area;
+    facet.moment = area * first + (1.0 / 6) * moment;
     m_surface += area;
     m_volume += volume;
     // the centroid of a pyramid is at three quarters of the way to that of its base
     m_moment = m_moment + 0.75 * (volume * first + (plane.distance / 18) * moment);
-    return area;
   }
 
   void note_corner(const Position_3& p)

@@ -18,6 +18,13 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
+// The area of a facet, and that area times its centroid.
+struct Measured_facet_3
+{
+  double area;
+  Position_3 moment;
+};
+
 // A convex polyhedron that planes cut. Its facets are cycles of corners; each edge is in two of
 // them, in opposite directions. A cut decides once for each corner whether it stays, takes what
 // stays of each cycle, and closes the surface with facets around the gap. So the surface is closed
@@ -68,25 +75,25 @@ public:
     m_facets.swap(m_new_facets);
   }
 
-  // Measures a polyhedron that is not empty. Adds the area of each facet to areas[label].
-  Cell_measures_3 measure(std::vector<double>& areas) const
+  // Measures a polyhedron that is not empty. Adds the area of each facet to facets[label], and that
+  // area times its centroid.
+  Cell_measures_3 measure(std::vector<Measured_facet_3>& facets) const
   {
     Cell_measures_3 sum;
     const Position_3& origin = m_corners.front();
     Position_3 moment{0, 0, 0}; // 24 times the volume times the vector from that corner
     for_each_facet([&](std::size_t label, const Index* first, const Index* beyond) {
       const Position_3 apex = m_corners[*first] - origin;
-      Position_3 doubled{0, 0, 0}; // a vector
       for (const Index* i = first + 1; i + 1 < beyond; ++i) {
         const Position_3 p = m_corners[i[0]] - origin, q = m_corners[i[1]] - origin;
-        doubled = doubled + cross(p - apex, q - apex);
         const double volume = dot(apex, cross(p, q));
         sum.volume += volume;
         moment = moment + volume * (apex + p + q);
       }
-      const double area = std::sqrt(squared_length(doubled)) / 2;
-      areas[label] += area;
-      sum.surface += area;
+      const Measured_facet_3 facet = measured_facet(first, beyond);
+      facets[label].area += facet.area;
+      facets[label].moment = facets[label].moment + facet.moment;
+      sum.surface += facet.area;
     });
     if (sum.volume > 0)
       sum.centroid = clamped(origin + (0.25 / sum.volume) * moment);
@@ -113,6 +120,26 @@ private:
       f(facet.label, m_cycles.data() + begin, m_cycles.data() + facet.end);
       begin = facet.end;
     }
+  }
+
+  // A polygon is the sum of triangles with signs.
+  Measured_facet_3 measured_facet(const Index* first, const Index* beyond) const
+  {
+    const Position_3& apex = m_corners[*first];
+    const auto for_each_triangle = [&](const auto& f) {
+      for (const Index* i = first + 1; i + 1 < beyond; ++i)
+        f(m_corners[i[0]] - apex, m_corners[i[1]] - apex);
+    };
+    Position_3 doubled{0, 0, 0}; // a vector
+    for_each_triangle(
+        [&](const Position_3& p, const Position_3& q) { doubled = doubled + cross(p, q); });
+    const double length = std::sqrt(squared_length(doubled));
+    Measured_facet_3 facet{length / 2, (length / 2) * apex};
+    if (length > 0)
+      for_each_triangle([&](const Position_3& p, const Position_3& q) {
+        facet.moment = facet.moment + (dot(cross(p, q), doubled) / (6 * length)) * (p + q);
+      });
+    return facet;
   }
 
   void renumber_corners()
