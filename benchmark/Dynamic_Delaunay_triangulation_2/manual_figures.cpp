@@ -13,12 +13,14 @@
 //   tolerances.svg    how far vertices may go before an edge has to be looked at
 //   motion.svg        the dam break with few points, moving
 //   cells_in_domain.svg  a Voronoi cell in a hall with walls, by three rules
+//   space.svg         tetrahedra that a frame removes and makes, in a section
 
 #include "common/Program.h"
 #include "manual_figures/Domain_figure.h"
 #include "manual_figures/Motion_figure.h"
 #include "manual_figures/Safety_figures.h"
 #include "manual_figures/Set_figures.h"
+#include "manual_figures/Space_figure.h"
 #include "scenario_runner/Output_file.h"
 
 #include <CLI/CLI.hpp>
@@ -50,6 +52,7 @@ void draw_all(const std::string& path)
   write(directory, "tolerances.svg", safety.draw_tolerances(16));
   write(directory, "motion.svg", Motion_figure::draw(180, 36, 30));
   write(directory, "cells_in_domain.svg", Domain_figure::draw());
+  write(directory, "space.svg", Space_figure::draw(500, 20));
 }
 
 } // namespace

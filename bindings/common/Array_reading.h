@@ -33,37 +33,6 @@ constexpr bool
     is_periodic_triangulation<CGAL::Dynamic_periodic_Delaunay_triangulation_2<Parameters...>> =
         true;
 
-// The rows of ids: the id itself, or the number of smaller ids that exist.
-class Row_numbers
-{
-public:
-  template <class Dynamic>
-  Row_numbers(const Dynamic& dt, bool are_dense)
-    : m_size(are_dense ? dt.number_of_points() : dt.number_of_ids())
-  {
-    check_length(6 * m_size);
-    if (m_size == dt.number_of_ids()) {
-      return;
-    }
-    std::int32_t row = 0;
-    for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
-      m_rows.push_back(row);
-      row += dt.has_id(id);
-    }
-  }
-
-  std::size_t size() const { return m_size; }
-  bool are_dense() const { return !m_rows.empty(); }
-  std::int32_t operator[](std::size_t id) const
-  {
-    return m_rows.empty() ? std::int32_t(id) : m_rows[id];
-  }
-
-private:
-  std::size_t m_size;
-  Integers m_rows; // empty if they are the ids
-};
-
 inline void append(Integers& numbers, const CGAL::Periodic_shift_2& shift)
 {
   numbers.insert(numbers.end(), {shift[0], shift[1]});

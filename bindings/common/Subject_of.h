@@ -6,6 +6,7 @@
 
 #include "bindings/common/Array_reading.h"
 #include "bindings/common/Bounded_cells.h"
+#include "bindings/common/Checkpoint_end.h"
 #include "bindings/common/Point_queries.h"
 #include "bindings/common/Row_iterator.h"
 #include "bindings/common/Subject.h"
@@ -46,20 +47,6 @@ struct Without_user_ids
 };
 template <class Dynamic>
 using With_user_ids = CGAL::Dynamic_population_2<Dynamic>;
-
-// A stream may go on after a checkpoint, but not what is one as a whole. The checksum is its last
-// line, and no other line begins so.
-inline void check_end(const std::string& checkpoint)
-{
-  const std::size_t last_line = checkpoint.find("\nchecksum ");
-  const std::size_t end = checkpoint.find('\n', last_line + (last_line != checkpoint.npos));
-  if (last_line == checkpoint.npos || end == checkpoint.npos || end + 1 == checkpoint.size()) {
-    return;
-  }
-  const auto beyond = checkpoint.begin() + std::ptrdiff_t(end) + 1;
-  throw CGAL::Checkpoint_error_2(std::size_t(std::count(checkpoint.begin(), beyond, '\n')) + 1,
-                                 "there is more after the end of the checkpoint");
-}
 
 template <class Dynamic, class Kinds, bool has_user_ids>
 class Subject_of : public Subject

@@ -15,9 +15,7 @@ namespace scenario {
 
 namespace {
 
-const std::string advice = "; --dimension 2 takes x and y alone";
-
-void check(const std::string& file, const Recorded_frame& frame)
+void check_frame(const std::string& file, const Recorded_frame& frame, const std::string& advice)
 {
   if (frame.cell || frame.is_periodic_in_z) {
     throw Scenario_error(file, "is in space and periodic, and only open space is known" + advice);
@@ -50,13 +48,18 @@ bool is_in_space(const Recording& recording)
   return false;
 }
 
+void check_in_space(const std::string& file, const Recording& recording, const std::string& choice)
+{
+  for (const Recorded_frame& frame : recording) {
+    check_frame(file, frame, "; " + choice + " takes x and y alone");
+  }
+}
+
 Recorded_motion_3::Recorded_motion_3(const std::string& file, const std::string& name,
                                      Recording recording)
   : Played_motion<Motion_3>(name, std::move(recording))
 {
-  for (const Recorded_frame& each : all_frames()) {
-    check(file, each);
-  }
+  check_in_space(file, all_frames(), "--dimension 2");
   read_points();
 }
 

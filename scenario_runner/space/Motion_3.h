@@ -32,12 +32,16 @@ public:
 // Whether the points of a recording move in space: some of their third coordinates differ.
 bool is_in_space(const Recording& recording);
 
+// \throws Scenario_error, with the frame and the point, if a third coordinate of a recording in
+// space is no finite number; or if it is periodic: space that repeats itself is not known here.
+// `choice` is how the reader of the message says that the recording is to be in the plane.
+void check_in_space(const std::string& file, const Recording& recording, const std::string& choice);
+
 // A recording whose points have a third coordinate.
 class Recorded_motion_3 : public Played_motion<Motion_3>
 {
 public:
-  // \throws Scenario_error, with the frame and the point, if a third coordinate is no finite
-  // number; or if the recording is periodic: space that repeats itself is not known here.
+  // \throws Scenario_error as `check_in_space()`.
   Recorded_motion_3(const std::string& file, const std::string& name, Recording recording);
 
   const std::vector<Point_3>& points() const override { return m_points; }

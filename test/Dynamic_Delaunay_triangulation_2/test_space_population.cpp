@@ -220,7 +220,7 @@ TEST(Populations_in_space, change_by_single_calls)
   Crowd crowd;
   Frames<Population> frames(6, 0);
   for (int turn = 0; turn < 120; ++turn) {
-    const std::size_t kind = crowd.size() < 20 ? 0 : frames.below(4);
+    const std::size_t kind = crowd.size() < 20 ? 0 : frames.below(5);
     const auto some = crowd.empty()
                           ? crowd.end()
                           : std::next(crowd.begin(), std::ptrdiff_t(frames.below(crowd.size())));
@@ -236,6 +236,11 @@ TEST(Populations_in_space, change_by_single_calls)
     } else if (kind == 2) {
       some->second = frames.anywhere();
       population.move(some->first, some->second);
+    } else if (kind == 3) {
+      Crowd movers{*crowd.begin(), *crowd.rbegin()};
+      for (auto& [user_id, p] : movers)
+        crowd[user_id] = p = frames.anywhere();
+      population.move(movers);
     } else {
       const std::vector<std::int64_t> leaving{crowd.begin()->first, crowd.rbegin()->first};
       population.remove(leaving);
@@ -327,6 +332,21 @@ TEST(Populations_in_space, refuse_wrong_frames_before_anything_changes)
   expect_refused<CGAL::Non_finite_coordinate_error_3>(
       [&] { population.move(10, Point(1, 1, nan)); }, "(1, 1, nan)");
   expect_refused<CGAL::Unknown_user_id_error_2>([&] { population.move(5, Point(1, 1, 1)); }, "5");
+  expect_refused<CGAL::Non_finite_coordinate_error_3>(
+      [&] {
+        population.move(Frame{{20, Point(1, 1, 1)}, {10, Point(nan, 1, 1)}});
+      },
+      "point 1 has");
+  expect_refused<CGAL::Repeated_id_error_2>(
+      [&] {
+        population.move(Frame{{20, Point(1, 1, 1)}, {20, Point(2, 1, 1)}});
+      },
+      "20 is there");
+  expect_refused<CGAL::Unknown_user_id_error_2>(
+      [&] {
+        population.move(Frame{{20, Point(1, 1, 1)}, {5, Point(2, 1, 1)}});
+      },
+      "5");
   expect_refused<CGAL::Unknown_user_id_error_2>([&] { population.remove(5); }, "5");
   const std::vector<std::int64_t> same{10, 20, 10};
   expect_refused<CGAL::Repeated_id_error_2>([&] { population.remove(same); }, "10");

@@ -48,6 +48,17 @@ public:
     m_svg << "/>\n";
   }
 
+  // Many lines, wherever they are, in few bytes.
+  void lines(const std::vector<std::pair<Point, Point>>& ends, const std::string& color,
+             double width)
+  {
+    m_svg << "<path stroke=\"" << color << "\" stroke-width=\"" << width << "\" d=\"";
+    for (const auto& [p, q] : ends) {
+      m_svg << 'M' << m_view.x(p) << ' ' << m_view.y(p) << 'L' << m_view.x(q) << ' ' << m_view.y(q);
+    }
+    m_svg << "\"/>\n";
+  }
+
   // Fills the area between polygons, one of which is in another.
   void area(const std::vector<std::vector<Point>>& rings, const std::string& color)
   {

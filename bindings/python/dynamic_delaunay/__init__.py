@@ -3,8 +3,8 @@
 
 """Delaunay triangulations of moving points, kept exact while the points move.
 
-``DynamicDelaunay`` for points in the plane or in space, ``PeriodicDelaunay`` for periodic cells, ``Population`` for
-points that come and go, ``track()`` for whole trajectories, and ``read_recording()`` for files of them.
+``DynamicDelaunay`` for points in the plane or in space, ``Population`` for those that come and go, ``PeriodicDelaunay``
+for periodic cells, ``track()`` for whole trajectories, and ``read_recording()`` for files of them.
 """
 
 from . import errors
@@ -15,7 +15,7 @@ from .errors import *  # noqa: F403
 from .neighbors import NeighborList
 from .queries import AlphaClass, AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
 from .recording import RecordedFrame, read_recording
-from .space import DynamicDelaunay3D, VoronoiCells3D
+from .space import DynamicDelaunay3D, Population3D, VoronoiCells3D
 from .trajectory import Frame, track
 
 __all__ = [
@@ -37,6 +37,7 @@ __all__ = [
     "PeriodicPopulation",
     "PointsWithin",
     "Population",
+    "Population3D",
     "RecordedFrame",
     "Side",
     "UpdateReport",

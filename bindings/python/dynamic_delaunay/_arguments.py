@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import operator
 import os
-from typing import Any
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -58,3 +58,9 @@ def are_in_space(points: Any) -> bool:
     except (TypeError, ValueError):
         return False
     return len(shape) == 2 and shape[1] == 3
+
+
+def given(name: str, array: Optional[ArrayLike]) -> ArrayLike:
+    if array is None:
+        raise InputTypeError(f"ids and points must be given together, or neither: there are no {name}")
+    return array

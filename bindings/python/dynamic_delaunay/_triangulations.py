@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from typing import Any, NamedTuple, Optional, TypeVar, Union
 
@@ -11,7 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import are_in_space, as_index, as_integer, as_list, as_rows, number_of_processors
+from ._arguments import are_in_space, as_index, as_integer, as_list, as_rows, given, number_of_processors
+from ._checkpoints import Checkpoints
 from ._core import ClassifierFrame, Group, Query, UpdateReport
 from ._rows import Rows, ScipyNames
 from .bounded import BoundedCells, Domain, rings_of
@@ -26,7 +26,7 @@ from .errors import (
 )
 from .neighbors import NeighborList
 from .queries import AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
-from .space import DynamicDelaunay3D
+from .space import DynamicDelaunay3D, Population3D
 
 Classifier = Union[str, Callable[[ClassifierFrame], Any]]
 Self = TypeVar("Self", bound="_Triangulation")
@@ -105,7 +105,7 @@ def _cell_array(cell: _core.Cell) -> NDArray[np.float64]:
     return vectors[:1] if cell.is_slab else vectors
 
 
-class _Triangulation(Rows, _core.Triangulation):
+class _Triangulation(Checkpoints, Rows, _core.Triangulation):
     """What triangulations in the plane and in periodic space have in common."""
 
     _settings: dict[str, Any]
@@ -280,33 +280,6 @@ class _Triangulation(Rows, _core.Triangulation):
         weights = np.concatenate([lengths, lengths])
         return NeighborList(first[order], second[order], vectors[order], weights[order], counts)
 
-    def checkpoint(self) -> bytes:
-        """The triangulation with all its numbers, as text. A run goes on from it as if it had not been interrupted."""
-        return self._checkpoint()
-
-    def restore(self, checkpoint: Optional[bytes] = None) -> None:
-        """Replace everything by a checkpoint of the same kind. CheckpointError if it is damaged, or if
-        anything follows; nothing changes."""
-        _check_loads(self, "restore", checkpoint)
-        assert checkpoint is not None
-        try:
-            text = bytes(memoryview(checkpoint))
-        except TypeError as error:
-            raise InputTypeError(f"a checkpoint is no {type(checkpoint).__name__}: {error}") from None
-        self._restore(text)
-
-    def save(self, path: Union[str, os.PathLike[str]]) -> None:
-        """Write a checkpoint to a file."""
-        with open(path, "wb") as file:
-            file.write(self.checkpoint())
-
-    def load(self, path: Union[str, os.PathLike[str], None] = None) -> None:
-        """Replace everything by the checkpoint in a file: ``dt = DynamicDelaunay(); dt.load(path)``."""
-        _check_loads(self, "load", path)
-        assert path is not None
-        with open(path, "rb") as file:
-            self.restore(file.read())
-
     def __reduce__(self) -> tuple[Any, ...]:
         checkpoint = self.checkpoint()  # UseError if there are no settings, as __init__() was not called
         others = {name: value for name, value in vars(self).items() if name != "_settings"}
@@ -321,14 +294,6 @@ def _nothing_bounds_cells(has_domains: bool) -> ParameterError:
     )
     error.value = np.inf
     return error
-
-
-def _check_loads(triangulation: Any, call: str, given: Any) -> None:
-    if given is None or not isinstance(triangulation, _Triangulation):
-        raise InputTypeError(
-            f"{call}() is called by a triangulation, of which it replaces everything, with one argument: "
-            f"dt = DynamicDelaunay(), or another kind, and then dt.{call}(...)"
-        )
 
 
 def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> Self:
@@ -446,12 +411,15 @@ class _ByNumbers(_Triangulation):
 
 
 class _ByShape(_Triangulation):
-    """What makes a triangulation in space of points (n, 3). A class of its own, so that ``DynamicDelaunay`` has the
-    signature of its ``__init__()``."""
+    """What makes a triangulation in space of points (n, 3). A class of its own, so that others have the signatures of
+    their ``__init__()``, of which the points are the last argument without a name."""
 
-    def __new__(cls, points: Any = None, *arguments: Any, **settings: Any) -> Any:
-        if cls is DynamicDelaunay and are_in_space(points):
-            return DynamicDelaunay3D(points, *arguments, **settings)
+    def __new__(cls, *arguments: Any, **named: Any) -> Any:
+        if are_in_space(named.get("points", arguments[-1] if arguments else None)):
+            if cls is DynamicDelaunay:
+                return DynamicDelaunay3D(*arguments, **named)
+            if cls is Population:
+                return Population3D(*arguments, **named)
         return super().__new__(cls)
 
 
@@ -580,14 +548,9 @@ class _ByIds(_Triangulation):
         return self._changes()[1]
 
 
-def _given(name: str, array: Optional[ArrayLike]) -> ArrayLike:
-    if array is None:
-        raise InputTypeError(f"ids and points must be given together, or neither: there are no {name}")
-    return array
-
-
-class Population(_ByIds, _Planar):
-    """The Delaunay triangulation of points in the plane that come and go, by any integers of 64 bits as ids.
+class Population(_ByIds, _Planar, _ByShape):
+    """The Delaunay triangulation of points in the plane that come and go, by any integers of 64 bits as ids; of points
+    (n, 3) it becomes a Population3D, which of the settings has ``threads`` alone.
 
     Arrays have a row for each point: row k is the point ``ids[k]``. So ``population.ids[population.edges]`` has the
     edges by ids. Rows change when points come or go.
@@ -610,7 +573,7 @@ class Population(_ByIds, _Planar):
     ) -> None:
         self._init(True, None, _settings(classifier, repair, policy, changes, threads, seed))
         if ids is not None or points is not None:
-            self._update(_given("points", points), _given("ids", ids), None)
+            self._update(given("points", points), given("ids", ids), None)
 
     def update(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
         """Take a whole frame, ids int (n,) and positions float (n, 2) in any order: insert points with new ids, remove
@@ -637,7 +600,7 @@ class PeriodicPopulation(_ByIds, _Periodic):
     ) -> None:
         self._init(True, _cell(cell), _settings(classifier, repair, policy, changes, threads, seed))
         if ids is not None or points is not None:
-            self._update(_given("points", points), _given("ids", ids), None)
+            self._update(given("points", points), given("ids", ids), None)
 
     def update(self, ids: ArrayLike, points: ArrayLike, cell: Optional[ArrayLike] = None) -> UpdateReport:
         """Take a whole frame, as Population.update() does, in the same cell, or in one that has changed."""

@@ -12,19 +12,21 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import as_integer, as_list, as_rows, number_of_processors
+from ._arguments import as_integer, as_list, as_rows, given, number_of_processors
+from ._checkpoints import Checkpoints
 from ._core import Group, UpdateReport3D
 from ._rows import Rows, ScipyNames
-from .errors import InputValueError, UseError
+from .errors import InputValueError
 
-Self = TypeVar("Self", bound="DynamicDelaunay3D")
+Self = TypeVar("Self", bound="_InSpace")
 
 OUTWARD_FACETS = np.array([(1, 2, 3), (0, 3, 2), (0, 1, 3), (0, 2, 1)])
 """Of a positively oriented tetrahedron, opposite to each corner: the other three, counterclockwise from outside."""
 
 
 class VoronoiCells3D(NamedTuple):
-    """Voronoi cells of points in space, a row for each id; zeros for ids that are free.
+    """Voronoi cells of points in space, a row for each id; zeros for ids that are free. Of a population, a row for each
+    point.
 
     Points that coincide share a cell: each has its share of the volume, and the first of them has the facets.
     """
@@ -60,51 +62,20 @@ def _sides(box: ArrayLike) -> list[float]:
     return [float(side) for side in sides]
 
 
-class DynamicDelaunay3D(ScipyNames, Rows, _core.Triangulation3D):
-    """The Delaunay triangulation of moving points in space, which ``DynamicDelaunay(points)`` makes of points (n, 3).
+class _InSpace(ScipyNames, Checkpoints, Rows, _core.Triangulation3D):
+    """What triangulations in space have in common."""
 
-    Points have the ids 0, 1, 2, ... in the order in which they are given, and keep them; the id of a removed point is
-    free, and the next point gets the smallest free id. Arrays have a row for each id that was ever in use.
-
-    Parameters
-    ----------
-    points : array_like, float (n, 3)
-        x, y and z of each point. Any strided array of float64 is read in place, other numbers are converted first.
-    threads : int
-        Threads that share the work; 0 for all.
-
-    Every call ends with a proof by exact predicates. Fewer than four points, and points in a plane or on a line, have
-    no simplices, but edges. Calls release the interpreter's lock; different objects run in threads at once, and calls
-    of one object wait for each other. Do not write to an array while it is read. Objects can be copied, but not
-    pickled.
-    """
+    _settings: dict[str, Any]
 
     def __new__(cls: type[Self], *_arguments: Any, **_named: Any) -> Self:
         self = super().__new__(cls)
         _core.Triangulation3D.__init__(self)  # so that there is something, whatever a derived class does
         return self
 
-    def __init__(self, points: Optional[ArrayLike] = None, *, threads: int = 1) -> None:
-        self._start(as_integer("threads", threads, 2**31) or number_of_processors())
-        if points is not None:
-            self._insert(points)
-
-    def update(self, points: ArrayLike) -> UpdateReport3D:
-        """Move point i to row i of ``points``, float (number_of_ids, 3), and repair what that breaks. Rows of removed
-        ids are ignored. Cost: a pass over the simplices, never much more than to triangulate all points anew."""
-        return self._update(points)
-
-    def insert(self, points: ArrayLike) -> NDArray[np.int64]:
-        """Add points, float (m, 3), or one, (3,); return their ids, int64 (m,)."""
-        return self._insert(as_rows(points, 3))
-
-    def remove(self, ids: ArrayLike) -> UpdateReport3D:
-        """Remove points by their ids, int (m,), or one."""
-        return self._remove(as_list(ids))
-
-    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport3D:
-        """Move some points, int (m,), or one, to positions, float (m, 3) or (3,). All others stay."""
-        return self._move(as_list(ids), as_rows(points, 3))
+    def _init(self, settings: dict[str, Any]) -> None:
+        threads = as_integer("threads", settings["threads"], 2**31)
+        self._start(threads or number_of_processors(), isinstance(self, Population3D))
+        self._settings = settings
 
     @property
     def points(self) -> NDArray[np.float64]:
@@ -163,4 +134,89 @@ class DynamicDelaunay3D(ScipyNames, Rows, _core.Triangulation3D):
         return twin
 
     def __reduce__(self) -> tuple[Any, ...]:
-        raise UseError("a triangulation in space has no checkpoints and cannot be pickled: pickle its points")
+        checkpoint = self.checkpoint()  # UseError if there are no settings, as __init__() was not called
+        others = {name: value for name, value in vars(self).items() if name != "_settings"}
+        return _restored, (type(self), self._settings, checkpoint), others or None
+
+
+def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> Self:
+    triangulation = kind.__new__(kind)
+    triangulation._init(settings)
+    triangulation.restore(checkpoint)
+    return triangulation
+
+
+class DynamicDelaunay3D(_InSpace):
+    """The Delaunay triangulation of moving points in space, which ``DynamicDelaunay(points)`` makes of points (n, 3).
+
+    Points have the ids 0, 1, 2, ... in the order in which they are given, and keep them; the id of a removed point is
+    free, and the next point gets the smallest free id. Arrays have a row for each id that was ever in use.
+
+    Parameters
+    ----------
+    points : array_like, float (n, 3)
+        x, y and z of each point. Any strided array of float64 is read in place, other numbers are converted first.
+    threads : int
+        Threads that share the work; 0 for all.
+
+    Every call ends with a proof by exact predicates. Fewer than four points, and points in a plane or on a line, have
+    no simplices, but edges. Calls release the interpreter's lock; different objects run in threads at once, and calls
+    of one object wait for each other. Do not write to an array while it is read.
+    """
+
+    def __init__(self, points: Optional[ArrayLike] = None, *, threads: int = 1) -> None:
+        self._init(dict(threads=threads))
+        if points is not None:
+            self._insert(points, None)
+
+    def update(self, points: ArrayLike) -> UpdateReport3D:
+        """Move point i to row i of ``points``, float (number_of_ids, 3), and repair what that breaks. Rows of removed
+        ids are ignored. Cost: a pass over the simplices, never much more than to triangulate all points anew."""
+        return self._update(points, None)
+
+    def insert(self, points: ArrayLike) -> NDArray[np.int64]:
+        """Add points, float (m, 3), or one, (3,); return their ids, int64 (m,)."""
+        return self._insert(as_rows(points, 3), None)
+
+    def remove(self, ids: ArrayLike) -> UpdateReport3D:
+        """Remove points by their ids, int (m,), or one."""
+        return self._remove(as_list(ids))
+
+    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport3D:
+        """Move some points, int (m,), or one, to positions, float (m, 3) or (3,). All others stay."""
+        return self._move(as_list(ids), as_rows(points, 3))
+
+
+class Population3D(_InSpace):
+    """The Delaunay triangulation of points in space that come and go, by any integers of 64 bits as ids, which
+    ``Population(ids, points)`` makes of points (n, 3).
+
+    Arrays have a row for each point: row k is the point ``ids[k]``. So ``population.ids[population.edges]`` has the
+    edges by ids. Rows change when points come or go.
+
+    Parameters are the ids, int (n,), the points, float (n, 3), and the threads of DynamicDelaunay3D.
+    """
+
+    def __init__(
+        self, ids: Optional[ArrayLike] = None, points: Optional[ArrayLike] = None, *, threads: int = 1
+    ) -> None:
+        self._init(dict(threads=threads))
+        if ids is not None or points is not None:
+            self._update(given("points", points), given("ids", ids))
+
+    def update(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport3D:
+        """Take a whole frame, ids int (n,) and positions float (n, 3) in any order: insert points with new ids, remove
+        those whose ids are missing, and move the others. Nothing changes if an id is there twice."""
+        return self._update(points, ids)
+
+    def insert(self, ids: ArrayLike, points: ArrayLike) -> None:
+        """Add points, float (m, 3), or one, (3,), by new ids, int (m,), or one."""
+        self._insert(as_rows(points, 3), as_list(ids))
+
+    def remove(self, ids: ArrayLike) -> UpdateReport3D:
+        """Remove points by their ids, int (m,), or one."""
+        return self._remove(as_list(ids))
+
+    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport3D:
+        """Move some points, int (m,), or one, to positions, float (m, 3) or (3,). All others stay."""
+        return self._move(as_list(ids), as_rows(points, 3))

@@ -24,7 +24,7 @@ from .errors import (
     PeriodicRangeError,
 )
 from .recording import RecordedFrame
-from .space import DynamicDelaunay3D
+from .space import DynamicDelaunay3D, Population3D
 
 Followed = Union[DynamicDelaunay, PeriodicDelaunay, Population, PeriodicPopulation]
 
@@ -33,7 +33,7 @@ class _FrameFields(NamedTuple):
     number: Any
     """of the frame, from 0, or what the table or the recording says"""
     triangulation: Followed
-    """or, of points in space, a DynamicDelaunay3D"""
+    """or, of points in space, a DynamicDelaunay3D or Population3D"""
     report: UpdateReport
     """what the update did; in space an UpdateReport3D"""
 
@@ -85,10 +85,10 @@ def track(trajectory: Any, cell: Any = None, *, progress: bool = False, **settin
     Parameters
     ----------
     trajectory
-        An array (frames, n, 2), or anything that iterates over arrays (n, 2), or (n, 3) for points in space, or over
-        pairs (ids, points) if points in the plane come and go; what ``read_recording()`` returns; or a pandas table
-        with the columns frame, id, x and y, in any order of rows, by these names or by those of trackpy, TrackMate,
-        PedPy and others. Ids are integers or text.
+        An array (frames, n, 2), or anything that iterates over arrays (n, 2), or over pairs (ids, points) if points
+        come and go; what ``read_recording()`` returns; or a pandas table with the columns frame, id, x and y, in any
+        order of rows, by these names or by those of trackpy, TrackMate, PedPy and others. Ids are integers or text.
+        Points in space are arrays (n, 3), or in a table those of a column z that differ there.
     cell
         Of a periodic space; see PeriodicDelaunay. Without it a recording has its own cells.
     progress : bool
@@ -136,15 +136,15 @@ def _with_numbers(read: _Read, names: Optional[_Names]) -> _Read:
 def _follow(read: _Read, cell: Any, settings: dict[str, Any]) -> Followed:
     """Without points, but for those whose number does not change."""
     cell = read.cell if cell is None else cell
+    if cell is None and are_in_space(read.points):  # a shape is no part of a type
+        return cast(Followed, DynamicDelaunay3D(**settings) if read.ids is None else Population3D(**settings))
     if read.ids is not None:
         return Population(**settings) if cell is None else PeriodicPopulation(cell=cell, **settings)
-    if cell is None and are_in_space(read.points):
-        return cast(DynamicDelaunay, DynamicDelaunay3D(**settings))  # a shape is no part of a type
     return DynamicDelaunay(**settings) if cell is None else PeriodicDelaunay(cell=cell, **settings)
 
 
 def _update(followed: Followed, read: _Read, cell: Any, is_first: bool) -> UpdateReport:
-    if isinstance(followed, Population):
+    if isinstance(followed, (Population, Population3D)):
         return followed.update(read.ids, read.points)
     if isinstance(followed, PeriodicPopulation):
         return followed.update(read.ids, read.points, read.cell if cell is None else None)
@@ -178,9 +178,23 @@ def _column(table: Any, title: Any) -> NDArray[Any]:
     return array
 
 
+def _height(value: Any) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError):
+        return np.nan  # which in the plane does not matter
+
+
+def _with_heights(points: NDArray[np.float64], heights: Any) -> NDArray[np.float64]:
+    """The points in space if some of their third coordinates differ, as ``read_recording()`` has it."""
+    heights = np.array([_height(value) for value in heights])
+    finite = heights[np.isfinite(heights)]
+    return np.column_stack([points, heights]) if (finite != finite[:1]).any() else points
+
+
 def _frames_of_table(table: Any) -> Iterator[_Read]:
     titles = list(table.columns)
-    frame, time, id, x, y, _ = _core._table_columns([str(title) for title in titles])
+    frame, time, id, x, y, z = _core._table_columns([str(title) for title in titles])
     numbers = _column(table, titles[time if frame < 0 else frame])
     try:
         points = table[[titles[x], titles[y]]].to_numpy(dtype=np.float64)
@@ -193,6 +207,8 @@ def _frames_of_table(table: Any) -> Iterator[_Read]:
     if are_missing.any():
         raise InputValueError(f"row {np.argmax(are_missing)} of the table has no frame")
     order = np.argsort(numbers, kind="stable")
+    if z >= 0:
+        points = _with_heights(points, table[titles[z]])
     ids, points = _column(table, titles[id])[order], points[order]
     numbers, begins = np.unique(numbers[order], return_index=True)
     for number, begin, end in zip(numbers, begins, [*begins[1:], len(ids)]):

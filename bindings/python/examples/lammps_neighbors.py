@@ -1,12 +1,12 @@
 # Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""Neighbors of each atom of a LAMMPS dump, as LAMMPS and OVITO write it, in x and y.
+"""Neighbors of each atom of a LAMMPS dump, as LAMMPS and OVITO write it.
 
     lammps_neighbors.py DUMP
 
-Prints a line for each step, and then one for each atom: its id and those of its neighbors. Space is periodic where the
-box is.
+Prints a line for each step, and then one for each atom: its id and those of its neighbors. They are neighbors in space
+if the atoms differ in z, and then the box must be open; else in the plane, which is periodic where the box is.
 """
 
 import sys

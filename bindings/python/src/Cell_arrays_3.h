@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-// Arrays of a triangulation in space, in linear time. Their rows are ids.
+// Arrays of a triangulation in space, in linear time.
 namespace python {
 
 using namespace bindings;
@@ -32,15 +32,15 @@ using CGAL::Dynamic_Delaunay_triangulations_3::Point_id;
 using CGAL::Dynamic_Delaunay_triangulations_3::Position_3;
 using CGAL::Dynamic_Delaunay_triangulations_3::Vertex_index;
 
-// NaN for removed ids.
+// NaN in rows of removed ids.
 template <class Dynamic>
-Array point_array_3(const Dynamic& dt)
+Array point_array_3(const Dynamic& dt, const Row_numbers& rows)
 {
-  Doubles coordinates(3 * dt.number_of_ids(), std::numeric_limits<double>::quiet_NaN());
+  Doubles coordinates(3 * rows.size(), std::numeric_limits<double>::quiet_NaN());
   for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
     if (dt.has_id(id)) {
       const auto p = dt.point(id);
-      std::copy(p.cartesian_begin(), p.cartesian_end(), &coordinates[3 * id]);
+      std::copy(p.cartesian_begin(), p.cartesian_end(), &coordinates[3 * std::size_t(rows[id])]);
     }
   }
   return {std::move(coordinates), {3}};
@@ -48,7 +48,7 @@ Array point_array_3(const Dynamic& dt)
 
 // Pairs: each point that shares a vertex with another one, and the one that represents it.
 template <class Dynamic>
-Integers duplicate_pairs_3(const Dynamic& dt)
+Integers duplicate_pairs_3(const Dynamic& dt, const Row_numbers& rows)
 {
   Integers pairs;
   if (dt.number_of_vertices() == dt.number_of_points()) {
@@ -56,7 +56,7 @@ Integers duplicate_pairs_3(const Dynamic& dt)
   }
   for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
     if (dt.has_id(id) && dt.representative(id) != id) {
-      pairs.insert(pairs.end(), {std::int32_t(id), std::int32_t(dt.representative(id))});
+      pairs.insert(pairs.end(), {rows[id], rows[dt.representative(id)]});
     }
   }
   return pairs;
@@ -87,7 +87,7 @@ public:
     return m_state.positions.position(m_state.arrays.vertices(c)[place]);
   }
   Vertex_index vertex(Cell_index c, int place) const { return m_state.arrays.vertices(c)[place]; }
-  std::int32_t id(Vertex_index v) const { return std::int32_t(m_state.ids.representative(v)); }
+  std::size_t id(Vertex_index v) const { return std::size_t(m_state.ids.representative(v)); }
   // Of an id that is there.
   Vertex_index vertex(std::size_t id) const { return m_state.ids.vertex(Point_id(id)); }
   // The infinite one, which is 0, included.
@@ -128,16 +128,16 @@ Integers corner_values_3(const Finite_cells_3<Dynamic>& cells, const Value& valu
   return values;
 }
 
-// The ids of the corners of each cell, positively oriented, and the cells opposite to them, or -1.
+// The rows of the corners of each cell, positively oriented, and the cells opposite to them, or -1.
 template <class Dynamic>
-std::vector<Array> simplex_arrays_3(const Dynamic& dt)
+std::vector<Array> simplex_arrays_3(const Dynamic& dt, const Row_numbers& rows)
 {
   const Finite_cells_3<Dynamic> cells(dt);
-  const auto id = [&](Cell_index c, int place) { return cells.id(cells.vertex(c, place)); };
+  const auto row = [&](Cell_index c, int place) { return rows[cells.id(cells.vertex(c, place))]; };
   const auto neighbor = [&](Cell_index c, int place) {
     return cells.number(cells.arrays().neighbor(c, place));
   };
-  return {{corner_values_3(cells, id), {4}}, {corner_values_3(cells, neighbor), {4}}};
+  return {{corner_values_3(cells, row), {4}}, {corner_values_3(cells, neighbor), {4}}};
 }
 
 // Of a positive cell; its edges are made about as long as 1 meanwhile, and halved before, so that
@@ -185,7 +185,8 @@ Array volume_array_3(const Dynamic& dt)
 // The measures of Voronoi cells, whole or in a box: volumes, surface areas and centroids; where the
 // facets of each row begin, the rows on their other sides, and their areas.
 template <class Dynamic>
-std::vector<Array> voronoi_arrays_3(const Dynamic& dt, const CGAL::Bbox_3* box)
+std::vector<Array> voronoi_arrays_3(const Dynamic& dt, const Row_numbers& rows,
+                                    const CGAL::Bbox_3* box)
 {
   CGAL::Voronoi_cell_measures_3 cells;
   if (box) {
@@ -193,16 +194,25 @@ std::vector<Array> voronoi_arrays_3(const Dynamic& dt, const CGAL::Bbox_3* box)
   } else {
     cells.compute(dt);
   }
-  Doubles centroids;
-  for (const Position_3& centroid : cells.centroids()) {
-    centroids.insert(centroids.end(), {centroid.x, centroid.y, centroid.z});
+  Doubles volumes, surface_areas, centroids;
+  std::vector<std::int64_t> begins; // an id without a row has no facets
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+    if (dt.has_id(id) || !rows.are_dense()) {
+      const Position_3& centroid = cells.centroids()[id];
+      volumes.push_back(cells.volumes()[id]);
+      surface_areas.push_back(cells.surface_areas()[id]);
+      centroids.insert(centroids.end(), {centroid.x, centroid.y, centroid.z});
+      begins.push_back(std::int64_t(cells.offsets()[id]));
+    }
   }
-  return {{cells.volumes()},
-          {cells.surface_areas()},
-          {std::move(centroids), {3}},
-          {std::vector<std::int64_t>(cells.offsets().begin(), cells.offsets().end())},
-          {Integers(cells.neighbors().begin(), cells.neighbors().end())},
-          {cells.facet_areas()}};
+  begins.push_back(std::int64_t(cells.neighbors().size()));
+  Integers neighbors;
+  neighbors.reserve(cells.neighbors().size());
+  for (const auto neighbor : cells.neighbors()) {
+    neighbors.push_back(rows[neighbor]);
+  }
+  return {{std::move(volumes)}, {std::move(surface_areas)}, {std::move(centroids), {3}},
+          {std::move(begins)},  {std::move(neighbors)},     {cells.facet_areas()}};
 }
 
 // Lists, one for each row, one after the other: that of row i begins at `begins[i]`.
@@ -273,54 +283,59 @@ Row_lists neighbor_vertices_3(const Finite_cells_3<Dynamic>& cells)
 
 // Of points in a plane or on a line, which have no cells.
 template <class Dynamic>
-Integers flat_edges_3(const Dynamic& dt)
+Integers flat_edges_3(const Dynamic& dt, const Row_numbers& rows)
 {
   Integers edges;
   dt.for_each_edge([&](std::size_t i, std::size_t j) {
-    edges.insert(edges.end(), {std::int32_t(i), std::int32_t(j)});
+    edges.insert(edges.end(), {rows[i], rows[j]});
   });
   return edges;
 }
 
-// The neighbors of each id, ascending: by cells, and the other ends of pairs. First those of
-// vertices are found, as vertices that are close in space are close in memory. Ids may be anywhere.
+// The neighbors of each row, ascending: by cells, and the other ends of pairs of rows. First those
+// of vertices are found, as vertices that are close in space are close in memory. Ids may be
+// anywhere.
 template <class Dynamic>
-Row_lists neighbor_lists_3(const Dynamic& dt, const Integers& pairs)
+Row_lists neighbor_lists_3(const Dynamic& dt, const Row_numbers& rows, const Integers& pairs)
 {
   const Finite_cells_3<Dynamic> cells(dt);
   const Row_lists neighbors = neighbor_vertices_3(cells);
-  const Row_lists ends = listed_by_row(dt.number_of_ids(), [&](const auto& f) {
+  const Row_lists ends = listed_by_row(rows.size(), [&](const auto& f) {
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       f(pairs[i], pairs[i ^ 1]);
     }
   });
-  return listed_by_row(dt.number_of_ids(), [&](const auto& f) { // who is a neighbor has this one
+  return listed_by_row(rows.size(), [&](const auto& f) { // who is a neighbor has this one
     for (std::size_t id = dt.number_of_ids(); id-- > 0;) {
-      if (dt.has_id(id) && dt.representative(id) == id) {
+      if (!dt.has_id(id)) {
+        continue;
+      }
+      const std::int32_t row = rows[id];
+      if (dt.representative(id) == id) {
         for (const std::int32_t w : neighbors[cells.vertex(id)]) {
-          f(cells.id(Vertex_index(w)), std::int32_t(id));
+          f(rows[cells.id(Vertex_index(w))], row);
         }
       }
-      for (const std::int32_t end : ends[id]) {
-        f(end, std::int32_t(id));
+      for (const std::int32_t end : ends[std::size_t(row)]) {
+        f(end, row);
       }
     }
   });
 }
 
 template <class Dynamic>
-Array edge_array_3(const Dynamic& dt)
+Array edge_array_3(const Dynamic& dt, const Row_numbers& rows)
 {
   if (dt.dimension() < 3) {
-    return {flat_edges_3(dt), {2}};
+    return {flat_edges_3(dt, rows), {2}};
   }
-  const Row_lists lists = neighbor_lists_3(dt, {});
+  const Row_lists lists = neighbor_lists_3(dt, rows, {});
   Integers edges;
   edges.reserve(lists.entries.size());
-  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
-    for (const std::int32_t other : lists[id]) {
-      if (other > std::int32_t(id)) {
-        edges.insert(edges.end(), {std::int32_t(id), other});
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    for (const std::int32_t other : lists[row]) {
+      if (other > std::int32_t(row)) {
+        edges.insert(edges.end(), {std::int32_t(row), other});
       }
     }
   }
@@ -328,14 +343,14 @@ Array edge_array_3(const Dynamic& dt)
 }
 
 template <class Dynamic>
-std::vector<Array> neighbor_list_arrays_3(const Dynamic& dt)
+std::vector<Array> neighbor_list_arrays_3(const Dynamic& dt, const Row_numbers& rows)
 {
-  Integers pairs = duplicate_pairs_3(dt);
+  Integers pairs = duplicate_pairs_3(dt, rows);
   if (dt.dimension() < 3) {
-    const Integers edges = flat_edges_3(dt);
+    const Integers edges = flat_edges_3(dt, rows);
     pairs.insert(pairs.end(), edges.begin(), edges.end());
   }
-  Row_lists lists = neighbor_lists_3(dt, pairs);
+  Row_lists lists = neighbor_lists_3(dt, rows, pairs);
   return {{std::move(lists.begins)}, {std::move(lists.entries)}};
 }
 

@@ -6,12 +6,14 @@
 #include "bindings/python/src/Numpy.h"
 #include "scenario_runner/Csv_header.h"
 #include "scenario_runner/Recorded_motion.h"
+#include "scenario_runner/space/Motion_3.h"
 
 #include <pybind11/stl.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,14 +59,17 @@ private:
   std::vector<py::object> m_texts;
 };
 
-py::array points_of(const scenario::Recorded_frame& frame)
+py::array points_of(const scenario::Recorded_frame& frame, std::size_t dimension)
 {
   std::vector<double> points;
-  points.reserve(2 * frame.points.size());
-  for (const scenario::Point& point : frame.points) {
-    points.insert(points.end(), {point.x, point.y});
+  points.reserve(dimension * frame.points.size());
+  for (std::size_t i = 0; i < frame.points.size(); ++i) {
+    points.insert(points.end(), {frame.points[i].x, frame.points[i].y});
+    if (dimension == 3) {
+      points.push_back(frame.heights.empty() ? 0.0 : frame.heights[i]);
+    }
   }
-  return to_numpy({std::move(points), {2}});
+  return to_numpy({std::move(points), {dimension}});
 }
 
 // The vectors by which space is repeated.
@@ -82,19 +87,34 @@ py::object cell_of(const scenario::Recorded_frame& frame)
   return to_numpy({std::move(vectors), {2}});
 }
 
-py::list read_recording(const std::string& path, const std::string& columns)
+// The dimension that a recording has, if none is wanted.
+int checked_dimension(const std::string& path, const scenario::Recording& recording,
+                      std::optional<int> wanted)
+{
+  const int dimension = wanted.value_or(scenario::is_in_space(recording) ? 3 : 2);
+  if (dimension == 3) {
+    scenario::check_in_space(scenario::is_standard_input(path) ? "standard input" : path, recording,
+                             "dimension=2");
+  }
+  return dimension;
+}
+
+py::list read_recording(const std::string& path, const std::string& columns,
+                        std::optional<int> wanted_dimension)
 {
   scenario::Recording recording;
+  std::size_t dimension = 0;
   {
     const py::gil_scoped_release release;
     recording = scenario::read_recording(path, columns.empty() ? scenario::Table_columns()
                                                                : scenario::table_columns(columns));
+    dimension = std::size_t(checked_dimension(path, recording, wanted_dimension));
   }
   py::list frames;
   Names_in_python names;
   for (const scenario::Recorded_frame& frame : recording) {
-    frames.append(py::make_tuple(frame.number, frame.time, names.ids(frame), points_of(frame),
-                                 cell_of(frame)));
+    frames.append(py::make_tuple(frame.number, frame.time, names.ids(frame),
+                                 points_of(frame, dimension), cell_of(frame)));
   }
   return frames;
 }
@@ -123,8 +143,9 @@ py::tuple table_columns(const std::vector<std::string>& titles)
 
 void bind_recordings(py::module_& module)
 {
-  module.def("_read_recording", [](const py::bytes& path, const std::string& columns) {
-    return read_recording(path, columns);
+  module.def("_read_recording", [](const py::bytes& path, const std::string& columns,
+                                   const std::optional<int>& dimension) {
+    return read_recording(path, columns, dimension);
   });
   module.def("_table_columns", table_columns);
 }

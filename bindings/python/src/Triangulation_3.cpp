@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -35,43 +36,45 @@ Input positions_input(const py::object& points)
 class Triangulation_3 : public Guarded_subject<Subject_3>
 {
 public:
-  void start(unsigned threads)
+  void start(unsigned threads, bool is_population)
   {
     check_is_new();
     m_number_of_threads = threads;
-    Guarded_subject::start(threads, std::make_unique<Subject_3>());
+    Guarded_subject::start(threads, made(is_population));
   }
   void start_as_copy(Triangulation_3& other)
   {
     check_is_new();
-    auto copy = other.read([](const Subject_3& its) { return std::make_unique<Subject_3>(its); });
+    auto copy = other.read([](const Subject_3& its) { return its.copy(); });
     m_number_of_threads = other.m_number_of_threads;
     Guarded_subject::start(m_number_of_threads, std::move(copy), other.last_report());
   }
 
-  Report update(const py::object& points)
+  Report update(const py::object& points, const py::object& ids)
   {
-    const Input input = positions_input(points);
-    return change([&](Subject_3& subject) { return subject.update(input.rows); });
+    const Input its_points = positions_input(points), its_ids = input_of_ids(ids, its_points);
+    return change(
+        [&](Subject_3& subject) { return subject.update(its_ids.rows, its_points.rows); });
   }
   Report move(const py::object& ids, const py::object& points)
   {
     const Input its_points = positions_input(points);
     const Input its_ids = ids_input(ids, its_points.rows.size);
-    check_not_negative(its_ids.rows);
+    check(its_ids.rows);
     return change([&](Subject_3& subject) { return subject.move(its_ids.rows, its_points.rows); });
   }
-  py::array insert(const py::object& points)
+  py::array insert(const py::object& points, const py::object& ids)
   {
-    const Input input = positions_input(points);
-    std::vector<std::size_t> new_ids;
-    change([&](Subject_3& subject) { return subject.insert(input.rows, new_ids); });
-    return to_numpy({std::vector<std::int64_t>(new_ids.begin(), new_ids.end())});
+    const Input its_points = positions_input(points), its_ids = input_of_ids(ids, its_points);
+    std::vector<std::int64_t> new_ids;
+    change(
+        [&](Subject_3& subject) { return subject.insert(its_ids.rows, its_points.rows, new_ids); });
+    return to_numpy({std::move(new_ids)});
   }
   Report remove(const py::object& ids)
   {
     const Input its_ids = ids_input(ids);
-    check_not_negative(its_ids.rows);
+    check(its_ids.rows);
     return change([&](Subject_3& subject) { return subject.remove(its_ids.rows); });
   }
   Report mend()
@@ -79,7 +82,38 @@ public:
     return change([](Subject_3& subject) { return subject.mend(); });
   }
 
+  void restore(const py::bytes& checkpoint)
+  {
+    const std::string text = checkpoint;
+    change([&](Subject_3& subject) {
+      subject.restore(text);
+      Report report;
+      report.certified = subject.triangulation().is_certified();
+      return report;
+    });
+  }
+
 private:
+  static std::unique_ptr<Subject_3> made(bool is_population)
+  {
+    if (is_population) {
+      return std::make_unique<Subject_of_3<true>>();
+    }
+    return std::make_unique<Subject_of_3<false>>();
+  }
+
+  Input input_of_ids(const py::object& ids, const Input& points) const
+  {
+    return subject().is_population() ? ids_input(ids, points.rows.size) : Input{};
+  }
+
+  void check(const Rows& ids) const
+  {
+    if (!subject().is_population()) {
+      check_not_negative(ids);
+    }
+  }
+
   unsigned m_number_of_threads = 1;
 };
 
@@ -129,13 +163,18 @@ void bind_triangulation_3(py::module_& module)
   bind_report(module, "UpdateReport3D", counts_of_report);
   py::class_<Triangulation_3>(module, "Triangulation3D")
       .def(py::init<>())
-      .def("_start", &Triangulation_3::start)
+      .def("_start", &Triangulation_3::start, py::arg("threads"), py::arg("population"))
       .def("_start_as_copy", &Triangulation_3::start_as_copy)
       .def("_update", &Triangulation_3::update)
       .def("_move", &Triangulation_3::move)
       .def("_insert", &Triangulation_3::insert)
       .def("_remove", &Triangulation_3::remove)
+      .def("_restore", &Triangulation_3::restore)
       .def("_arrays", &Triangulation_3::arrays)
+      .def("_checkpoint",
+           [](Triangulation_3& t) {
+             return py::bytes(t.read([](const Subject_3& its) { return its.checkpoint(); }));
+           })
       .def("_volumes",
            [](Triangulation_3& t) {
              return to_numpy(t.read([](const Subject_3& subject) { return subject.volumes(); }));
@@ -144,9 +183,7 @@ void bind_triangulation_3(py::module_& module)
       .def("_is_current", &Triangulation_3::is_current)
       .def("_has_id",
            [](Triangulation_3& t, std::int64_t id) {
-             return t.read([&](const Subject_3& subject) {
-               return subject.triangulation().has_id(std::size_t(id));
-             });
+             return t.read([&](const Subject_3& subject) { return subject.has_id(id); });
            })
       .def(
           "mend", &Triangulation_3::mend,

@@ -18,6 +18,7 @@ from dynamic_delaunay import (
     PeriodicDelaunay,
     PeriodicPopulation,
     Population,
+    Population3D,
     _core,
     errors,
 )
@@ -41,7 +42,7 @@ def test_stubs_have_all_that_the_module_has():
         assert stubbed == {member for member in vars(kind) if not member.startswith("__")}
 
 
-@pytest.mark.parametrize("kind", [*ARRAYS, DynamicDelaunay3D])
+@pytest.mark.parametrize("kind", [*ARRAYS, DynamicDelaunay3D, Population3D])
 def test_everything_public_is_documented(kind):
     assert inspect.getdoc(kind)
     for name, member in inspect.getmembers(kind):
@@ -73,7 +74,9 @@ def test_documented_types_and_shapes_are_those_of_the_arrays(kind):
 
 
 def test_documented_types_and_shapes_in_space_are_those_of_the_arrays():
-    assert count_documented_arrays(DynamicDelaunay(np.random.default_rng(1).random((20, 3)))) == 9
+    points = np.random.default_rng(1).random((20, 3))
+    for in_space in (DynamicDelaunay(points), Population(np.arange(20), points)):
+        assert count_documented_arrays(in_space) == 9
 
 
 def test_has_the_version_of_the_headers():

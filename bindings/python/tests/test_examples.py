@@ -8,6 +8,7 @@ import sys
 import numpy as np
 import pytest
 from agreement import edges_by_scipy
+from scipy.spatial import Delaunay
 
 EXAMPLES = pathlib.Path(__file__).parent.parent / "examples"
 
@@ -87,6 +88,19 @@ def test_lammps_neighbors(tmp_path):
         for id, neighbors in zip(ids, neighbors_by_scipy(places)):
             assert next(row[1:] for row in printed if row[0] == id) == sorted(ids[list(neighbors)])
     assert next(lines, None) is None
+
+
+def test_lammps_neighbors_in_space(tmp_path):
+    points = np.random.default_rng(1).random((40, 3))
+    rows = "".join(f"{id} {x!r} {y!r} {z!r}\n" for id, (x, y, z) in enumerate(points.tolist()))
+    dump = tmp_path / "motion.lammpstrj"
+    dump.write_text("ITEM: TIMESTEP\n7\nITEM: NUMBER OF ATOMS\n40\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
+                    f"ITEM: ATOMS id x y z\n{rows}")
+    first, *lines = output_of("lammps_neighbors", dump).splitlines()
+    indptr, indices = Delaunay(points).vertex_neighbor_vertices
+    assert first.startswith("step 7: 40 atoms") and len(lines) == 40
+    for id, line in enumerate(lines):
+        assert [int(number) for number in line.split()] == [id, *sorted(indices[indptr[id] : indptr[id + 1]])]
 
 
 def test_table_densities(tmp_path):

@@ -11,6 +11,7 @@ import pytest
 from dynamic_delaunay import DynamicDelaunay, PeriodicDelaunay, PeriodicPopulation, Population, errors, track
 
 POINTS = np.random.default_rng(1).random((60, 2))
+IN_SPACE = np.column_stack([POINTS, POINTS[::-1, 0]])
 OTHERS = np.random.default_rng(2).random((60, 2))
 
 
@@ -269,10 +270,11 @@ def test_errors_about_positions_of_a_population_have_places_in_the_call():
 @pytest.mark.parametrize(
     "triangulation",
     [DynamicDelaunay(POINTS), PeriodicDelaunay(POINTS), Population(range(60), POINTS),
-     PeriodicPopulation(range(60), POINTS)],
+     PeriodicPopulation(range(60), POINTS), DynamicDelaunay(IN_SPACE), Population(range(60), IN_SPACE)],
     ids=lambda triangulation: type(triangulation).__name__,
 )
 def test_refuses_what_follows_a_checkpoint(triangulation, tmp_path):
+    points = triangulation.points
     checkpoint = triangulation.checkpoint()
     lines = checkpoint.count(b"\n")
     other = type(triangulation)()
@@ -284,7 +286,7 @@ def test_refuses_what_follows_a_checkpoint(triangulation, tmp_path):
     with pytest.raises(errors.CheckpointError, match="more after the end"):
         other.load(tmp_path / "file")
     other.restore(checkpoint)
-    assert np.array_equal(other.points, POINTS)
+    assert np.array_equal(other.points, points)
 
 
 class Unprepared(DynamicDelaunay):

@@ -8,8 +8,9 @@ import pathlib
 
 import numpy as np
 import pytest
+from scipy.spatial import Delaunay
 
-from dynamic_delaunay import PeriodicPopulation, Population, errors, read_recording, track
+from dynamic_delaunay import PeriodicPopulation, Population, Population3D, errors, read_recording, track
 
 
 def dump_of(step, rows, *, bounds="pp pp pp\n0 10\n0 8\n-0.5 0.5", columns="id type x y z", before=""):
@@ -18,10 +19,10 @@ def dump_of(step, rows, *, bounds="pp pp pp\n0 10\n0 8\n-0.5 0.5", columns="id t
             f"ITEM: ATOMS {columns}\n{lines}")
 
 
-def read(tmp_path, name, text):
+def read(tmp_path, name, text, **choice):
     path = tmp_path / name
     path.write_text(text)
-    return read_recording(path)
+    return read_recording(path, **choice)
 
 
 def test_reads_numbers_times_ids_points_and_cells(tmp_path):
@@ -127,6 +128,92 @@ def test_what_cannot_be_read_is_an_error_with_its_line(tmp_path):
         read_recording(None)
 
 
+OPEN = "ff ss fm\n0 10\n0 8\n-1 9"
+IN_SPACE = {
+    "table.csv": "frame,id,x,y,z\n3,7,1,2,0.5\n3,9,4,5,0\n4,9,1,1,1\n",
+    "trackpy.csv": ",y,x,z,mass,size,frame,particle\n0,2,1,0.5,9,1,3.0,7.0\n1,5,4,0,9,1,3.0,9.0\n2,1,1,1,9,1,4.0,9.0\n",
+    "trackmate.csv": "LABEL,ID,TRACK_ID,POSITION_X,POSITION_Y,POSITION_Z,POSITION_T,FRAME\n"
+                     "Label,Spot ID,Track ID,X,Y,Z,T,F\n"
+                     "Label,Spot ID,Track ID,X,Y,Z,T,F\n,,,(micron),(micron),(micron),(sec),\n"
+                     "a,55,7,1,2,0.5,0,3\nb,56,9,4,5,0,0,3\nc,57,9,1,1,1,1,4\n",
+    "ase.extxyz": '2\nProperties=species:S:1:pos:R:3:id:I:1 Frame=3 pbc="F F F"\nH 1 2 0.5 7\nO 4 5 0 9\n'
+                  '1\nProperties=species:S:1:pos:R:3:id:I:1 Frame=4 pbc="F F F"\nO 1 1 1 9\n',
+    "lammps.dump": dump_of(3, ["9 1 4 5 0", "7 1 1 2 0.5"], bounds=OPEN) + dump_of(4, ["9 1 1 1 1"], bounds=OPEN),
+    "scaled.dump": dump_of(3, ["9 1 .4 .625 .1", "7 1 .1 .25 .15"], bounds=OPEN, columns="id type xs ys zs")
+                   + dump_of(4, ["9 1 .1 .125 .2"], bounds=OPEN, columns="id type xs ys zs"),
+}
+
+
+@pytest.mark.parametrize("name", IN_SPACE)
+def test_reads_recordings_in_space(tmp_path, name):
+    text = IN_SPACE[name]
+    first, second = frames = read(tmp_path, name, text)
+    assert [frame.number for frame in frames] == [3, 4] and first.cell is second.cell is None
+    assert first.ids.tolist() == [7, 9] and second.ids.tolist() == [9]
+    assert np.allclose(first.points, [(1, 2, 0.5), (4, 5, 0)], rtol=0, atol=1e-15)
+    assert np.allclose(second.points, [(1, 1, 1)], rtol=0, atol=1e-15)
+    assert first.points.dtype == np.float64 and not first.points.flags.writeable
+    for followed, frame in zip(track(frames), frames):
+        assert type(followed.triangulation) is Population3D
+        assert followed.number == frame.number and np.array_equal(followed.ids, frame.ids)
+        assert np.array_equal(followed.triangulation.points, frame.points)
+    flat = read(tmp_path, name, text, dimension=2)
+    assert [frame.points.tolist() for frame in flat] == [frame.points[:, :2].tolist() for frame in frames]
+    assert all(type(followed.triangulation) is Population for followed in track(flat))
+    spatial = read(tmp_path, name, text, dimension=np.int64(3))
+    assert all(np.array_equal(a.points, b.points) for a, b in zip(spatial, frames))
+
+
+def test_is_in_space_if_third_coordinates_differ(tmp_path):
+    table = "frame,id,x,y,z\n0,1,1,2,7\n0,2,3,4,7\n1,1,1,2,{}\n"
+    for z, columns in (("7", 2), ("7.5", 3), ("nan", 2), ("high", 2), ("", 2)):
+        assert read(tmp_path, "table.csv", table.format(z))[0].points.shape == (2, columns)
+    assert read(tmp_path, "table.csv", table.format(7), dimension=3)[0].points[:, 2].tolist() == [7, 7]
+    xyz = "2\n\nX 1 2\nX 3 4\n"
+    assert read(tmp_path, "motion.xyz", xyz)[0].points.shape == (2, 2)
+    assert read(tmp_path, "motion.xyz", xyz, dimension=3)[0].points.tolist() == [[1, 2, 0], [3, 4, 0]]
+
+
+def test_refuses_what_cannot_be_in_space(tmp_path):
+    for name, z in (("7", ""), ("7", "nan"), ("7", "high"), ("ann", "inf")):
+        text = f"frame,id,x,y,z\n5,4,0,0,1\n5,5,0,0,2\n6,{name},1,2,{z}\n"
+        shown = "'ann'" if name == "ann" else name
+        wrong = f"is in space, and z of id {shown} in frame 6 is no finite number; dimension=2 takes x and y alone$"
+        with pytest.raises(errors.RecordingError, match=wrong):
+            read(tmp_path, "table.csv", text)
+        assert len(read(tmp_path, "table.csv", text, dimension=2)) == 2
+    for bounds in ("pp ff ff", "ff pp ff", "ff ff pp", "pp pp pp"):
+        dump = dump_of(5, ["1 1 1 2 3", "2 1 1 2 4"], bounds=f"{bounds}\n0 10\n0 8\n0 8")
+        wrong = "dump: is in space and periodic, and only open space is known; dimension=2 takes x and y alone$"
+        with pytest.raises(errors.RecordingError, match=wrong) as refused:
+            read(tmp_path, "motion.dump", dump)
+        assert isinstance(refused.value, ValueError) and refused.value.line == 0
+        (flat,) = read(tmp_path, "motion.dump", dump, dimension=2)
+        assert (flat.cell is not None) == ("pp" in bounds[:5]) and flat.points.tolist() == [[1, 2], [1, 2]]
+    for wrong, kind in ((4, errors.InputValueError), (0, errors.InputValueError), ("2", errors.InputTypeError),
+                        (2.0, errors.InputTypeError)):
+        with pytest.raises(kind, match="the dimension is .*: it must be"):
+            read(tmp_path, "table.csv", IN_SPACE["table.csv"], dimension=wrong)
+
+
+def test_follows_frames_in_space_of_any_size(tmp_path):
+    random = np.random.default_rng(1)
+    dump, frames = "", [random.random((n, 3)) for n in (0, 1, 3, 60, 2, 0, 30)]
+    for step, points in enumerate(frames):
+        dump += dump_of(step, [f"{i + step} 1 {x!r} {y!r} {z!r}" for i, (x, y, z) in enumerate(points.tolist())],
+                        bounds=OPEN)
+    followed = track(read(tmp_path, "motion.lammpstrj", dump))
+    for frame, points in zip(followed, frames):
+        crowd = frame.triangulation
+        assert crowd.is_certified and crowd.is_valid() and np.array_equal(crowd.points[np.argsort(crowd.ids)], points)
+        if len(points) > 4:
+            assert {frozenset(s) for s in crowd.simplices.tolist()} \
+                == {frozenset(s) for s in Delaunay(crowd.points).simplices.tolist()}
+    assert next(followed, None) is None
+    only_empty = track(read(tmp_path, "motion.lammpstrj", dump_of(0, [], bounds=OPEN), dimension=3))
+    assert [type(frame.triangulation) for frame in only_empty] == [Population3D]
+
+
 TITLES = [
     ("frame", "id", "x", "y"),
     ("frame", "particle", "x", "y"),  # trackpy
@@ -148,6 +235,22 @@ def test_tables_have_the_names_that_files_have(tmp_path, titles):
     table.to_csv(tmp_path / "table.csv", index=False)
     read = [(f.number, f.ids.tolist(), f.points.tolist()) for f in read_recording(tmp_path / "table.csv")]
     assert read == frames
+
+
+def test_tables_are_in_space_if_third_coordinates_differ():
+    pandas = pytest.importorskip("pandas")
+    rows = [(0, 3, 1.0, 2.0, 0.5), (0, 4, 3.0, 4.0, 0.0), (1, 4, 5.0, 6.0, 1.0)]
+    table = pandas.DataFrame(rows, columns=["frame", "particle", "x", "y", "z"])
+    frames = [(f.number, f.ids.tolist(), f.triangulation.points.tolist()) for f in track(table.iloc[[2, 0, 1]], threads=1)]
+    assert frames == [(0, [3, 4], [[1, 2, 0.5], [3, 4, 0]]), (1, [4], [[5, 6, 1]])]
+    for flat in (table.drop(columns="z"), table.assign(z=7), table.assign(z="high"), table.assign(z=np.nan)):
+        assert [type(frame.triangulation) for frame in track(flat)] == [Population, Population]
+    unknown = table.astype({"z": object})
+    unknown.loc[2, "z"] = "high"
+    with pytest.raises(errors.NonFiniteCoordinateError, match="^frame 1, id 4: point 0 has the coordinates"):
+        list(track(unknown))
+    with pytest.raises(errors.InputValueError, match=r"^frame 0: .*it must be \(n, 2\)"):
+        list(track(table, (9, 9)))
 
 
 def test_tables_of_trackmate_have_spots_with_ids_of_their_own():

@@ -13,63 +13,10 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from agreement import edge_set
 from scipy.spatial import Delaunay
+from space_agreement import assert_fits_together, assert_is_delaunay, cells, cloud, moved, six_volumes
 
-from dynamic_delaunay import DynamicDelaunay, DynamicDelaunay3D, Population, UpdateReport3D, errors, track
-
-
-def cloud(n, seed=1):
-    return np.random.default_rng(seed).random((n, 3))
-
-
-def moved(points, size, seed=2):
-    return points + np.random.default_rng(seed).normal(0, size, points.shape)
-
-
-def cells(simplices):
-    return {tuple(simplex) for simplex in np.sort(simplices).tolist()}
-
-
-def six_volumes(points, simplices):
-    a, b, c, d = np.moveaxis(points[simplices], 1, 0)
-    return np.einsum("ij,ij->i", b - a, np.cross(c - a, d - a))
-
-
-def assert_fits_together(dt):
-    """Whether neighbors share facets, and lists, edges and hull are those of the simplices."""
-    simplices, neighbors = dt.simplices, dt.neighbors
-    facets = {}
-    for number, simplex in enumerate(simplices.tolist()):
-        for corner in range(4):
-            facets.setdefault(frozenset(simplex) - {simplex[corner]}, []).append((number, corner))
-    expected = np.full(simplices.shape, -1)
-    for (number, corner), *others in facets.values():
-        for other, its_corner in others:
-            expected[number, corner], expected[other, its_corner] = other, number
-        assert len(others) <= 1
-    assert np.array_equal(neighbors, expected)
-    assert {frozenset(facet) for facet in dt.convex_hull.tolist()} == \
-        {facet for facet, sides in facets.items() if len(sides) == 1}
-    if len(simplices):
-        pairs = itertools.combinations(range(4), 2)
-        assert edge_set(dt.edges) == edge_set(np.concatenate([simplices[:, pair] for pair in pairs]))
-    assert len(dt.edges) == len(edge_set(dt.edges))
-    indptr, indices = dt.neighbor_lists()
-    assert len(indptr) == len(dt.points) + 1
-    ends = np.concatenate([dt.edges, dt.duplicates]).reshape(-1, 2)
-    listed = {(i, j) for i in range(len(dt.points)) for j in indices[indptr[i] : indptr[i + 1]].tolist()}
-    assert listed == {(i, j) for pair in ends.tolist() for i, j in (pair, pair[::-1])}
-    assert len(listed) == len(indices)
-    rows = np.repeat(np.arange(len(dt.points)), np.diff(indptr))
-    assert (np.diff(indices)[np.diff(rows) == 0] > 0).all()
-
-
-def assert_is_delaunay(dt, points):
-    """In general position, where there is one Delaunay triangulation."""
-    assert dt.is_certified and dt.is_valid()
-    assert cells(dt.simplices) == cells(Delaunay(points).simplices)
-    assert_fits_together(dt)
+from dynamic_delaunay import DynamicDelaunay, DynamicDelaunay3D, Population3D, UpdateReport3D, errors, track
 
 
 def are_in_spheres(points, simplices):
@@ -117,8 +64,7 @@ def test_becomes_what_its_points_are():
     class Derived(DynamicDelaunay):
         pass
 
-    population = lambda points: Population(np.arange(100), points)  # noqa: E731
-    for refused in (Derived, population, lambda points: DynamicDelaunay().insert(points)):
+    for refused in (Derived, lambda points: DynamicDelaunay().insert(points)):
         with pytest.raises(errors.InputValueError, match=r"\(100, 3\): it must be \(n, 2\)"):
             refused(points)
     with pytest.raises(TypeError, match="DynamicDelaunay3D.*'classifier'"):
@@ -372,7 +318,6 @@ def test_refuses_wrong_input_before_anything_changes():
         (lambda: DynamicDelaunay3D(points, threads=-1), errors.InputValueError, "threads is -1"),
         (lambda: DynamicDelaunay3D(points, threads=5000), errors.InputValueError, "number of threads is 5000"),
         (lambda: DynamicDelaunay3D(points, threads=1.5), errors.InputTypeError, "must be an integer"),
-        (lambda: pickle.dumps(dt), errors.UseError, "no checkpoints"),
     ):
         with pytest.raises(kind, match=text):
             call()
@@ -391,7 +336,7 @@ def test_says_that_it_is_not_initialized():
         def __init__(self):
             pass
 
-    ways = (len, copy.copy, copy.deepcopy, DynamicDelaunay3D.mend)
+    ways = (len, copy.copy, copy.deepcopy, pickle.dumps, DynamicDelaunay3D.mend)
     for use in (*ways, lambda dt: dt.edges, lambda dt: dt.update(cloud(5))):
         with pytest.raises(errors.UseError, match="was not called"):
             use(Unprepared())
@@ -412,11 +357,16 @@ def test_arrays_stay_as_they_were():
     assert not dt.mend().rebuilt and np.array_equal(dt.simplices, before)
 
 
-@pytest.mark.parametrize("duplicate", [copy.copy, copy.deepcopy])
-def test_copies_go_on_alike(duplicate):
-    class Labeled(DynamicDelaunay3D):
-        label = None
+class Labeled(DynamicDelaunay3D):
+    label = None
 
+
+def pickled(dt):
+    return pickle.loads(pickle.dumps(dt))
+
+
+@pytest.mark.parametrize("duplicate", [copy.copy, copy.deepcopy, pickled])
+def test_copies_go_on_alike(duplicate):
     points = cloud(300)
     dt = Labeled(points, threads=2)
     dt.label = ["label"]
@@ -424,7 +374,7 @@ def test_copies_go_on_alike(duplicate):
     twin = duplicate(dt)
     assert type(twin) is Labeled and twin.label == ["label"]
     assert (twin.label is dt.label) == (duplicate is copy.copy)
-    assert twin.last_report == dt.last_report
+    assert duplicate is pickled or twin.last_report == dt.last_report
     for frame in range(5):
         points = moved(points, 0.003, frame)
         assert dt.update(points) == twin.update(points)
@@ -432,6 +382,43 @@ def test_copies_go_on_alike(duplicate):
     assert twin.insert((0.5, 0.5, 0.5)) == dt.insert((0.5, 0.5, 0.5)) == 7
     twin.remove(3)
     assert 3 in dt and dt.is_valid() and twin.is_valid()
+
+
+def test_saves_and_loads(tmp_path):
+    dt = DynamicDelaunay3D(np.concatenate([cloud(50), cloud(3)]))
+    dt.remove(7)
+    dt.save(tmp_path / "checkpoint")
+    other = DynamicDelaunay3D(cloud(9, seed=5))
+    other.load(tmp_path / "checkpoint")
+    assert other.is_certified and other.is_valid() and other.last_report.certified
+    for name in ("points", "ids", "duplicates", "simplices", "neighbors", "indices"):
+        assert np.array_equal(getattr(dt, name), getattr(other, name), equal_nan=name == "points")
+    checkpoint = dt.checkpoint()
+    assert type(checkpoint) is bytes and checkpoint == (tmp_path / "checkpoint").read_bytes() == other.checkpoint()
+    damaged = checkpoint.replace(b"0", b"1", 1)
+    planar = DynamicDelaunay(cloud(20)[:, :2])
+    for wrong in (damaged, checkpoint[:-9], b"", planar.checkpoint(), Population3D([1], cloud(1)).checkpoint()):
+        with pytest.raises(errors.CheckpointError) as refused:
+            other.restore(wrong)
+        assert refused.value.line >= 0
+    with pytest.raises(errors.CheckpointError):
+        planar.restore(checkpoint)
+    with pytest.raises(errors.InputTypeError, match="a checkpoint is no str"):
+        other.restore(checkpoint.decode())
+    with pytest.raises(errors.InputTypeError, match=r"load\(\) is called by a triangulation"):
+        DynamicDelaunay3D.load(tmp_path / "checkpoint")
+    with pytest.raises(FileNotFoundError):
+        other.load(tmp_path / "nothing")
+    assert np.array_equal(dt.simplices, other.simplices)
+
+
+@pytest.mark.parametrize("points", [np.empty((0, 3)), [(1, 2, 3)], [(0, 0, 0), (1, 1, 1)],
+                                    [(0, 0, 5), (1, 0, 5), (0, 1, 5)]])
+def test_saves_points_without_an_extent(points):
+    twin = pickled(DynamicDelaunay(points))
+    assert np.array_equal(twin.points, points) and twin.is_valid()
+    twin.insert(cloud(30))
+    assert_fits_together(twin)
 
 
 def test_threads_change_nothing():
@@ -506,7 +493,7 @@ def test_tracks_trajectories():
     with pytest.raises(errors.InputValueError, match=r"^frame 0: .*it must be \(n, 2\)"):
         list(track(trajectory, cell=(1, 1)))
     with pytest.raises(errors.InputValueError, match=r"^frame 0: .*it must be \(n, 2\)"):
-        list(track([(np.arange(100), trajectory[0])]))
+        list(track([(np.arange(100), trajectory[0])], cell=(1, 1)))
 
 
 def do_something(dt, random, anywhere, shaken):

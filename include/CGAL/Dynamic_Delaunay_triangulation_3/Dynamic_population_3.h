@@ -187,11 +187,41 @@ public:
   }
 
   /// moves a point. \throws Unknown_user_id_error_2 if no point has this id.
-  /// \throws Non_finite_coordinate_error_3, Coordinate_range_error_3 if `p` is not allowed; their
-  /// `id()` is that of the point in `triangulation()`.
+  /// \throws Non_finite_coordinate_error_3, Coordinate_range_error_3 as `insert()`.
   Update_report_3 move(UserId user_id, const Point& p)
   {
-    return m_triangulation.move(id(user_id), p);
+    const std::pair<UserId, Point> mover(user_id, p);
+    return move(&mover, &mover + 1);
+  }
+
+  /// moves some of the points, as `Dynamic_Delaunay_triangulation_3::move()` does.
+  /// The parameters are those of `update()`.
+  /// \throws Unknown_user_id_error_2 if an id belongs to no point.
+  /// \throws Repeated_id_error_2 if an id is given more than once.
+  /// \throws Non_finite_coordinate_error_3, Coordinate_range_error_3 if a position is not allowed;
+  /// the `id()` of these errors is the place in the range, counted from 0.
+  template <class InputIterator, class IdMap = First_of<InputIterator>,
+            class PointMap = Second_of<InputIterator>>
+  Update_report_3 move(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
+                       PointMap point_map = PointMap())
+  {
+    std::vector<UserId> user_ids;
+    std::vector<std::pair<size_type, Point>> movers;
+    Frame::read_each(first, beyond, id_map, point_map, Check(),
+                     [&](UserId user_id, const Point& p) {
+                       movers.emplace_back(id(user_id), p);
+                       user_ids.push_back(user_id);
+                     });
+    Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
+    return m_triangulation.move(movers.begin(), movers.end());
+  }
+
+  /// moves the points of a range with `begin()` and `end()`.
+  template <class Range, class IdMap = First_of<If_range<Range>>,
+            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
+  Update_report_3 move(const Range& range, IdMap id_map = IdMap(), PointMap point_map = PointMap())
+  {
+    return move(std::begin(range), std::end(range), id_map, point_map);
   }
 
   /// calls `Dynamic_Delaunay_triangulation_3::mend()`.
