@@ -963,6 +963,55 @@ TEST(A_duplicate, that_moves_while_its_representative_is_removed_is_proved_anew)
   }
 }
 
+// Counts its calls.
+struct Counting_classifier : CGAL::Circumcircle_classifier_2
+{
+  int* calls = nullptr;
+
+  template <class Frame, class Classification>
+  void operator()(const Frame& frame, Classification& classified)
+  {
+    ++*calls;
+    CGAL::Circumcircle_classifier_2::operator()(frame, classified);
+  }
+};
+
+TEST(A_frame_at_rest, is_classified_only_if_a_point_has_moved)
+{
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_2<Epick, Counting_classifier>;
+  int calls = 0;
+  Counting_classifier classifier;
+  classifier.calls = &calls;
+  CGAL::Dynamic_population_2<Dynamic, int> population{Dynamic(classifier)};
+  std::mt19937 random(1);
+  const auto place = [&] { return random_point_between<Epick::Point_2>(0, 10, random); };
+  std::vector<std::pair<int, Epick::Point_2>> frame;
+  for (int id = 0; id < 300; ++id)
+    frame.emplace_back(id, place());
+  population.update(frame);
+  const auto expect_calls = [&](int number) {
+    calls = 0;
+    const auto report = population.update(frame);
+    EXPECT_FALSE(report.rebuilt());
+    EXPECT_EQ(calls, number);
+    EXPECT_TRUE(population.triangulation().is_certified());
+    EXPECT_TRUE(population.triangulation().is_valid());
+  };
+  expect_calls(1); // the same points
+  frame[7] = {300, place()};
+  expect_calls(0);
+  frame[8] = {301, frame[9].second}; // coincides with another one
+  expect_calls(0);
+  frame[7] = {302, place()};
+  frame[8].second = place(); // a covered point parts
+  expect_calls(1);
+  frame[10] = {303, place()};
+  frame.back().second = Epick::Point_2(frame.back().second.x() + 1e-9, frame.back().second.y());
+  expect_calls(1);
+  frame.erase(frame.begin() + 20, frame.begin() + 40);
+  expect_calls(0);
+}
+
 TEST(Heuristic_population, stays_valid_and_can_be_mended_whatever_happens_to_it)
 {
   using CGAL::Point_distance_classifier_2, CGAL::Random_classifier_2;

@@ -60,7 +60,9 @@ public:
   `CGAL::Hold_and_flip_repair_2` as the repair, if a sample of the edges shows that too much is
   broken. Where such a sample shows that the frame is better taken in steps,
   `CGAL::Circumcircle_classifier_2` is called in each of them instead
-  (\ref DynamicDelaunaySubsection_Steps). It is not called by `insert()`, `remove()` and `move()`.
+  (\ref DynamicDelaunaySubsection_Steps). An exact one is not called in a frame of a population in
+  which points come or go and all others are where they were. It is not called by `insert()`,
+  `remove()` and `move()`.
 
   If it throws, the update changes nothing and rethrows the exception.
 

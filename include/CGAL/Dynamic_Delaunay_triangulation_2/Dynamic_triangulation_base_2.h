@@ -451,11 +451,11 @@ public:
   /// \post `is_certified()` if it was, if the classifier is exact, or in periodic space.
   Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
 
-  /// removes the points with these ids. Rebuilds if these are more than about one in nine or ten
-  /// vertices, in periodic space one in three. \post That of `remove(id)`, if the range is not
-  /// empty. \tparam InputIterator its values are integers. \throws Unknown_id_error_2 if an id
-  /// belongs to no point; nothing changes. \throws Repeated_id_error_2 if an id is given more than
-  /// once; nothing changes.
+  /// removes the points with these ids. Rebuilds if these are more than about half of the vertices,
+  /// of more than 32,768 a quarter, in periodic space more. \post That of `remove(id)`, if the
+  /// range is not empty. \tparam InputIterator its values are integers. \throws Unknown_id_error_2
+  /// if an id belongs to no point; nothing changes. \throws Repeated_id_error_2 if an id is given
+  /// more than once; nothing changes.
   template <class InputIterator>
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {

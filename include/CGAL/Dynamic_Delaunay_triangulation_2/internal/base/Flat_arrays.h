@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <boost/core/noinit_adaptor.hpp>
+#include <boost/sort/pdqsort/pdqsort.hpp>
 #include <boost/sort/spreadsort/integer_sort.hpp>
 
 #include <algorithm>
@@ -234,7 +235,7 @@ void check_distinct(const std::vector<Id>& given)
   if (given.size() < 2) // most calls move or remove a single point
     return;
   std::vector<Id> ids = given;
-  std::sort(ids.begin(), ids.end());
+  boost::sort::pdqsort(ids.begin(), ids.end()); // many are sorted already
   const auto twice = std::adjacent_find(ids.begin(), ids.end());
   if (twice != ids.end())
     throw Repeated_id_error_2(*twice);

@@ -103,14 +103,20 @@ public:
     location.face = Arrays::face_of(start);
     location.chart = m_target.chart_at(start);
     Halfedge_index h = way_out(location);
+    bool are_ends_free =
+        h == null_index || (m_is_free(arrays.source(h)) && m_is_free(arrays.target(h)));
     while (h != null_index && may_go_on(++location.steps)) {
-      if (!m_is_free(arrays.source(h)) || !m_is_free(arrays.target(h))) {
+      if (!are_ends_free) {
         location.face = null_index;
         return location;
       }
       const Halfedge_index entry = arrays.twin(h);
       location.chart = m_state.chart_beyond(h, location.chart);
       location.face = Arrays::face_of(entry);
+      are_ends_free = m_is_free(arrays.apex(entry)); // those of `entry` are
+      if (are_ends_free)
+        for (const Halfedge_index exit : {Arrays::next(entry), Arrays::previous(entry)})
+          arrays.prefetch_face(arrays.twin(exit)); // which it will be cannot be predicted
       h = way_on(entry, location.chart, location.steps % 2 == 0);
     }
     if (h != null_index)

@@ -52,6 +52,29 @@ public:
            vertices > parts * (Parts::usual_size / 1024);
   }
 
+  // Fetches the stars of the next vertices that go, the i-th from `first` on, once for a stretch of
+  // them: together, step by step around each.
+  template <class Vertex_at>
+  void fetch_stars(std::size_t first, std::size_t size, const Vertex_at& vertex) const
+  {
+    constexpr std::size_t stretch = 8, usual_degree = 6;
+    if (first % stretch != 0)
+      return;
+    const auto& arrays = m_state.arrays();
+    std::array<Halfedge_index, stretch> corners;
+    const std::size_t number = (std::min)(stretch, size - first);
+    for (std::size_t i = 0; i < number; ++i) {
+      corners[i] = arrays.corner(vertex(first + i));
+      arrays.prefetch_face(corners[i]);
+    }
+    for (std::size_t step = 0; step < usual_degree; ++step)
+      for (std::size_t i = 0; i < number; ++i) {
+        prefetch(&m_state.positions()[arrays.source(corners[i])]);
+        corners[i] = arrays.next_corner(corners[i]);
+        arrays.prefetch_face(corners[i]);
+      }
+  }
+
   // Takes vertices out, and keeps in the list those that are left: take_out(edit, polygon) does it
   // for one. Appends to `taken`, which must have the memory.
   template <class Take_out>
@@ -77,9 +100,9 @@ public:
   }
 
   // Puts in the vertices of slots, and keeps in the list the numbers of those that are left. `slot`
-  // and `position`, as in State::position_in_order(), are functions of these numbers, which are
-  // sorted along the curve; put(edit, i, polygon) puts one in. `anywhere` is any vertex in a face.
-  // Returns the steps of all walks.
+  // (null if another is to put it in) and `position`, as in State::position_in_order(), are
+  // functions of these numbers, which are sorted along the curve; put(edit, i, polygon) puts one
+  // in. `anywhere` is any vertex in a face. Returns the steps of all walks.
   template <class Slot_of, class Position_of, class Put>
   std::size_t put_in(std::vector<Index>& numbers, const Slot_of& slot, const Position_of& position,
                      Vertex_index anywhere, const Put& put)
@@ -94,20 +117,20 @@ public:
     const auto put_in = [&](const Spatial_parts& parts, std::size_t part, Edit& edit, Index i) {
       Part& mine = m_parts[part];
       const auto is_free = [&](Vertex_index w) { return parts.has_vertex(part, w); };
-      const Slot& s = slot(i);
-      if (mine.nearby == null_index || s.vertex == null_index)
+      const Slot* const s = slot(i);
+      if (mine.nearby == null_index || s == nullptr)
         return false;
-      const Vertex_target_2<State> target(m_state, s.vertex);
+      const Vertex_target_2<State> target(m_state, s->vertex);
       const Location location = Point_location_2<State, Vertex_target_2<State>, decltype(is_free)>(
                                     m_state, target, is_free)
                                     .locate(mine.nearby, spread);
       mine.steps += location.steps;
       if (location.face == null_index || !location.is_inside ||
-          !mine.polygon.find_as_delaunay(m_state, location.face, location.chart, s.vertex,
+          !mine.polygon.find_as_delaunay(m_state, location.face, location.chart, s->vertex,
                                          most_faces, is_free))
         return false;
       mine.nearby = m_state.arrays().apex(Halfedge_arrays_2::halfedge_in(location.face, 0));
-      mine.polygon.add(s);
+      mine.polygon.add(*s);
       m_editor.prefetch(mine.polygon);
       put(edit, i, mine.polygon);
       return true;
@@ -179,26 +202,10 @@ private:
     }
   }
 
-  // The stars of the next vertices that go are fetched together, step by step around each.
   void fetch_ahead(const std::vector<Vertex_index>& vertices, const std::vector<Index>& places,
                    std::size_t first) const
   {
-    constexpr std::size_t stretch = 8, usual_degree = 6;
-    if (first % stretch != 0)
-      return;
-    const auto& arrays = m_state.arrays();
-    std::array<Halfedge_index, stretch> corners;
-    const std::size_t number = (std::min)(stretch, places.size() - first);
-    for (std::size_t i = 0; i < number; ++i) {
-      corners[i] = arrays.corner(vertices[places[first + i]]);
-      arrays.prefetch_face(corners[i]);
-    }
-    for (std::size_t step = 0; step < usual_degree; ++step)
-      for (std::size_t i = 0; i < number; ++i) {
-        prefetch(&m_state.positions()[arrays.source(corners[i])]);
-        corners[i] = arrays.next_corner(corners[i]);
-        arrays.prefetch_face(corners[i]);
-      }
+    fetch_stars(first, places.size(), [&](std::size_t i) { return vertices[places[i]]; });
   }
   static void fetch_ahead(const std::vector<Index>&, const std::vector<Index>&, std::size_t) {}
 
@@ -240,10 +247,10 @@ private:
     mine.nearby = null_index;
     std::size_t steps = 0;
     for (std::size_t i = 0; i < (std::min)(tries, mine.places.size()); ++i) {
-      const Vertex_index v = slot(numbers[mine.places[i]]).vertex;
-      if (v == null_index)
+      const Slot* const s = slot(numbers[mine.places[i]]);
+      if (s == nullptr)
         continue;
-      const Vertex_target_2<State> target(m_state, v);
+      const Vertex_target_2<State> target(m_state, s->vertex);
       const Location location =
           Point_location_2(m_state, target).locate(anywhere, m_state.number_of_vertices());
       steps += location.steps;

@@ -17,6 +17,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 
 #include <boost/iterator/counting_iterator.hpp>
+#include <boost/sort/pdqsort/pdqsort.hpp>
 
 #include <algorithm>
 #include <cstddef>
@@ -220,24 +221,27 @@ public:
   {
     Counts counts;
     collect_positions(parted);
+    provide_slots(parted);
     if (most_faces() > 0 && m_parts.are_worth(m_numbers.size()))
       put_in_by_parts(parted.size(), counts);
     Hint hint{any_vertex(), m_state.number_of_vertices()};
-    for (std::size_t k = 0; k < m_numbers.size(); ++k) {
+    bool goes_on = true;
+    for (std::size_t k = 0; k < m_numbers.size() && goes_on; ++k) {
       const std::size_t i = m_numbers[k];
       const std::size_t most = most_faces();
       m_replaced = 0;
       const Vertex_index v = i < m_waiting.size()
-                                 ? put_in_again(m_waiting[i], hint, most, counts)
+                                 ? put_in_again(m_slots[i], hint, most, counts)
                                  : insert(parted, i - m_waiting.size(), hint, most, counts);
       if (v == null_index)
         continue;
       if (k + 1 < m_numbers.size())
         hint = hint_at(v); // flips may join v with vertices that are far away
-      if (!legalize(v, counts.steps, m_replaced))
-        return counts;
+      goes_on = legalize(v, counts.steps, m_replaced);
     }
-    forget_all();
+    drop_full_slots();
+    if (goes_on)
+      forget_all();
     return counts;
   }
 
@@ -257,6 +261,7 @@ public:
   {
     if (!is_under_way())
       return;
+    drop_full_slots();
     m_editor.note_everything_is_new();
     m_editor.keep_memory_for(0);
     for (const Slot& slot : m_waiting)
@@ -323,16 +328,17 @@ private:
   // in time.
   void remove_of_delaunay()
   {
+    make_distinct(m_rest);
+    reserve_for_slots(m_rest.size());
     if (m_parts.are_worth(m_rest.size())) {
-      make_distinct(m_rest);
-      reserve_for_slots(m_rest.size());
       m_parts.take_out(m_rest, m_empty, [](auto& edit, const Star_polygon_2<State>& polygon) {
         return edit.remove(polygon);
       });
     }
     std::size_t left = 0;
-    for (const Vertex_index v : m_rest) {
-      reserve_for_slots(1);
+    for (std::size_t i = 0; i < m_rest.size(); ++i) {
+      const Vertex_index v = m_rest[i];
+      m_parts.fetch_stars(i, m_rest.size(), [this](std::size_t k) { return m_rest[k]; });
       if (triangulate_as_delaunay_without(v))
         m_empty.push_back(m_editor.remove(m_polygon));
       else
@@ -362,55 +368,71 @@ private:
       m_numbers[k] = m_order[k];
   }
 
+  // Provides each position with a slot: waiting vertices have their own, the others get empty ones,
+  // with a fresh vertex there, and new ones where these do not suffice. Numbers of vertices follow
+  // a curve, so the empty slots in the order of their numbers go to the positions in the order of
+  // the curve: then vertices that are close in space still are close in memory.
+  void provide_slots(const std::vector<Point_id>& parted)
+  {
+    const std::size_t waiting = m_waiting.size(), needed = m_order.size() - waiting,
+                      empty = m_empty.size();
+    const auto point = [&](std::size_t i) -> const Point& {
+      return i < waiting + parted.size() ? m_state.ids().covered_point(parted[i - waiting])
+                                         : m_coming_points[i - waiting - parted.size()];
+    };
+    reserve_for_slots(needed);
+    boost::sort::pdqsort(m_empty.begin(), m_empty.end(), // often sorted already
+                         [](const Slot& s, const Slot& t) { return s.vertex < t.vertex; });
+    m_slots = m_waiting;
+    m_slots.resize(m_order.size());
+    m_without_slot.clear();
+    for (std::size_t k = 0, n = 0; k < m_order.size(); ++k) {
+      const Index i = m_order[k];
+      if (i < waiting)
+        continue;
+      const std::size_t next = n * empty / needed; // spread evenly, be there more or fewer
+      if (++n * empty / needed == next) {
+        m_without_slot.push_back(i);
+        continue;
+      }
+      m_editor.renew_vertex(m_empty[next], point(i));
+      m_slots[i] = m_empty[next];
+    }
+    if (m_without_slot.empty())
+      return;
+    m_editor.make_slots(
+        m_without_slot.size(),
+        [&](std::size_t k) -> const Point& { return point(m_without_slot[k]); }, m_empty);
+    for (std::size_t k = 0; k < m_without_slot.size(); ++k)
+      m_slots[m_without_slot[k]] = m_empty[empty + k];
+  }
+
+  // Keeps in the list of empty slots those whose vertices are outside of faces.
+  void drop_full_slots()
+  {
+    const auto is_full = [this](const Slot& s) { return !m_state.arrays().is_outside(s.vertex); };
+    m_empty.erase(std::remove_if(m_empty.begin(), m_empty.end(), is_full), m_empty.end());
+  }
+
   // Puts in, by parts, waiting vertices and new points. What is left stays in m_numbers.
   void put_in_by_parts(std::size_t parted, Counts& counts)
   {
     const std::size_t waiting = m_waiting.size(), first_coming = waiting + parted;
-    const auto is_parted = [&](Index i) { return i >= waiting && i < first_coming; };
-    // the last of the empty places, in the order of the curve
-    const std::size_t empty = reserve_slots_for_coming(first_coming);
-    const Slot none{null_index, {null_index, null_index}, {null_index, null_index, null_index}};
-    std::vector<Slot> places(m_order.size(), none);
-    for (std::size_t k = 0, next = empty; k < m_order.size(); ++k)
-      if (const Index i = m_order[k]; !is_parted(i))
-        places[i] = i < waiting ? m_waiting[i] : m_empty[next++];
-    const auto slot = [&](Index i) -> const Slot& { return places[i]; };
+    const auto slot = [&](Index i) {
+      return i < waiting || i >= first_coming ? &m_slots[i] : nullptr;
+    };
     const auto position = [this](Index i) { return m_positions[i]; };
     const auto put = [&](auto& edit, Index i, const Star_polygon_2<State>& polygon) {
       if (i < waiting)
-        edit.put_in_again(places[i], polygon);
+        edit.put_in_again(m_slots[i], polygon);
       else
-        edit.put_in_new(places[i], polygon, m_coming_ids[i - first_coming]);
+        edit.put_in_new(m_slots[i], polygon, m_coming_ids[i - first_coming]);
     };
     counts.steps += m_parts.put_in(m_numbers, slot, position, any_vertex(), put);
     counts.in_parts = m_order.size() - m_numbers.size();
     const auto is_left = [&](Index i) { return i < waiting; };
     counts.relocated +=
         waiting - std::size_t(std::count_if(m_numbers.begin(), m_numbers.end(), is_left));
-    const auto is_full = [this](const Slot& s) { return !m_state.arrays().is_outside(s.vertex); };
-    m_empty.erase(std::remove_if(m_empty.begin(), m_empty.end(), is_full), m_empty.end());
-  }
-
-  // Provides the last of the empty slots with vertices at the new points, in the order of the
-  // curve; makes as many slots as are missing. Returns the number of the first of these slots.
-  std::size_t reserve_slots_for_coming(std::size_t first_coming)
-  {
-    const std::size_t coming = m_coming_points.size();
-    const std::size_t first = m_empty.size() - (std::min)(m_empty.size(), coming);
-    reserve_for_slots(coming);
-    std::vector<Index> numbers; // of the new points
-    numbers.reserve(coming);
-    for (std::size_t k = 0; k < m_order.size(); ++k)
-      if (m_order[k] >= first_coming)
-        numbers.push_back(Index(m_order[k] - first_coming));
-    const auto point = [&](std::size_t k) -> const Point& { return m_coming_points[numbers[k]]; };
-    const std::size_t renewed = m_empty.size() - first;
-    for (std::size_t k = 0; k < renewed; ++k)
-      m_editor.renew_vertex(m_empty[first + k], point(k));
-    m_editor.make_slots(
-        coming - renewed, [&](std::size_t k) -> const Point& { return point(renewed + k); },
-        m_empty);
-    return first;
   }
 
   // A finite vertex that is in some face.
@@ -481,19 +503,17 @@ private:
     const bool parts = i < parted.size();
     const std::size_t coming = i - parted.size();
     const Point_id id = parts ? parted[i] : m_coming_ids[coming];
-    const Point p = parts ? ids.covered_point(id) : m_coming_points[coming];
+    const Slot& slot = m_slots[m_waiting.size() + i];
     counts.parted += parts;
     m_editor.reserve_for_covered(1);
-    const Slot slot = take_slot(p);
     const Location location = locate(slot.vertex, hint);
     counts.steps += location.steps;
     if (location.vertex != null_index) {
+      const Point p = parts ? ids.covered_point(id) : m_coming_points[coming];
       m_editor.place_covered(id, location.vertex, p);
       return null_index;
     }
-    const bool is_found = find_polygon(slot, location, most);
-    m_empty.pop_back(); // nothing throws from here on
-    if (is_found)
+    if (find_polygon(slot, location, most))
       m_editor.put_in_new(slot, m_polygon, id);
     else
       m_editor.put_in_new(slot, seen(location), id);
@@ -516,21 +536,10 @@ private:
     if (is_found) {
       m_replaced = m_polygon.faces().size();
       m_polygon.add(slot);
+      m_editor.prefetch(m_polygon);
     }
     m_editor.reserve_for_new_edges(is_found ? m_polygon.edges().size() : edges_of_three_faces);
     return is_found;
-  }
-
-  // Returns the last empty slot, or a new one, with a vertex at p. It stays in the list for now.
-  Slot take_slot(const Point& p)
-  {
-    if (m_empty.empty()) {
-      reserve_for_slots(1);
-      m_editor.make_slots(
-          1, [&](std::size_t) -> const Point& { return p; }, m_empty);
-    } else
-      m_editor.renew_vertex(m_empty.back(), p);
-    return m_empty.back();
   }
 
   void forget_all()
@@ -547,11 +556,13 @@ private:
   Spatial_order_2 m_order;
   std::vector<Index> m_numbers; // of the positions to put in, in this order
   std::vector<Position_2> m_positions;
-  Star_polygon_2<State> m_polygon;  // around the vertex that goes or comes
-  std::size_t m_replaced = 0;       // faces that the last vertex has replaced
-  std::vector<Vertex_index> m_rest; // vertices for remove_rest()
-  std::vector<Slot> m_waiting;      // of vertices that jumped
-  std::vector<Slot> m_empty;        // of vertices without points
+  Star_polygon_2<State> m_polygon;   // around the vertex that goes or comes
+  std::size_t m_replaced = 0;        // faces that the last vertex has replaced
+  std::vector<Vertex_index> m_rest;  // vertices for remove_rest()
+  std::vector<Slot> m_waiting;       // of vertices that jumped
+  std::vector<Slot> m_empty;         // of vertices without points
+  std::vector<Slot> m_slots;         // of the positions to put in
+  std::vector<Index> m_without_slot; // of these, those that need new ones
   std::vector<Point_id> m_coming_ids;
   std::vector<Point> m_coming_points;
 };

@@ -15,6 +15,8 @@
 #include <CGAL/number_type_basic.h>
 #include <CGAL/Point_2.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -148,15 +150,22 @@ private:
 #endif
 };
 
+// A function of its own, so that compilers inline the check.
+[[noreturn]] BOOST_NOINLINE inline void throw_refused_position(const Position_2& position,
+                                                               std::size_t id, const char* name)
+{
+  if (!std::isfinite(position.x) || !std::isfinite(position.y))
+    throw Non_finite_coordinate_error_2(id, position.x, position.y, name);
+  throw Coordinate_range_error_2(id, position.x, position.y, coordinate_limit, name);
+}
+
 // The position of a point. Throws if its coordinates are not finite, or beyond the limit.
 template <class Point>
 Position_2 checked_position(const Point& p, std::size_t id, const char* name = "point")
 {
   const Position_2 position{CGAL::to_double(p.x()), CGAL::to_double(p.y())};
-  if (!std::isfinite(position.x) || !std::isfinite(position.y))
-    throw Non_finite_coordinate_error_2(id, position.x, position.y, name);
   if (!is_within_limit(position.x) || !is_within_limit(position.y))
-    throw Coordinate_range_error_2(id, position.x, position.y, coordinate_limit, name);
+    throw_refused_position(position, id, name);
   return position;
 }
 

@@ -308,6 +308,7 @@ public:
 
   static constexpr bool positions_are_exact() { return true; }
   bool have_points_moved() const { return m_positions.have_moved(); }
+  bool is_frame_at_rest() const { return !m_deformation && m_positions.is_frame_at_rest(); }
   decltype(auto) point(Vertex_index v) const { return m_positions.point(v); }
   // Returns the position one frame ago, or before the vertex moved alone in this call: its image
   // that is nearest to the present position.

@@ -174,6 +174,7 @@ public:
   const std::vector<Position_2>& positions() const { return m_positions.positions(); }
   decltype(auto) point(Vertex_index v) const { return m_positions.point(v); }
   bool have_points_moved() const { return m_positions.have_moved(); }
+  bool is_frame_at_rest() const { return positions_are_exact() && m_positions.is_frame_at_rest(); }
   // Whether signs may be concluded from positions.
   bool positions_are_exact() const
   {

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -79,6 +80,16 @@ public:
   // and previous_position() returns the present ones.
   bool have_moved() const { return m_is_frame || !m_moved.empty(); }
 
+  // Whether a frame has come in which every vertex is where it was, bit by bit. Where one of the
+  // first vertices has moved, that takes no time.
+  bool is_frame_at_rest() const
+  {
+    const std::vector<Position_2>& previous = previous_positions();
+    return m_is_frame && are_exact() &&
+           std::memcmp(&positions()[1], &previous[1], (previous.size() - 1) * sizeof(Position_2)) ==
+               0;
+  }
+
   Position_2 previous_position(Vertex_index v) const
   {
     if constexpr (points_are_two_doubles)
@@ -103,6 +114,15 @@ protected:
   {
     if constexpr (points_are_two_doubles)
       m_points.front() = nan_point();
+  }
+
+  // Those of the last frame, while it is known.
+  const std::vector<Position_2>& previous_positions() const
+  {
+    if constexpr (points_are_two_doubles)
+      return m_other_points;
+    else
+      return m_other_positions;
   }
 
   // The stored point of a vertex before it moved, or the present one if it has not moved.

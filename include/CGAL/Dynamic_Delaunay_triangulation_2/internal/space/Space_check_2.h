@@ -135,9 +135,11 @@ constexpr bool is_space()
                 "previous_position(v) is where the vertex was one frame ago, "
                 "previous_position_at(v, now) the same as seen from the image that is at now");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Position_2>(s.rest_position(v)),
-                                              as<bool>(s.have_points_moved())),
+                                              as<bool>(s.have_points_moved()),
+                                              as<bool>(s.is_frame_at_rest())),
                 "rest_position(v) is where the vertex was before its points moved, taken along "
-                "with the cell: there all faces are counterclockwise");
+                "with the cell: there all faces are counterclockwise; a frame is at rest if they "
+                "are as before, and so is the cell");
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<Position_2>(s.position_in_order(position))),
                 "position_in_order(position) is by what points are sorted along a curve");
 

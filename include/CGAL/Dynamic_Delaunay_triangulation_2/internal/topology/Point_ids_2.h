@@ -157,7 +157,7 @@ public:
   {
     std::vector<Point_id> free;
     list_next_ids(number, free);
-    std::sort(gone.begin(), gone.end());
+    boost::sort::pdqsort(gone.begin(), gone.end()); // a population lists them in order
     std::vector<Point_id> ids(free.size() + gone.size());
     std::merge(free.begin(), free.end(), gone.begin(), gone.end(), ids.begin());
     ids.resize(number);

@@ -129,7 +129,7 @@ public:
     m_open.clear();
     for (const Halfedge_index h :
          {Arrays::halfedge_in(f, 2), Arrays::halfedge_in(f, 1), Arrays::halfedge_in(f, 0)})
-      m_open.push_back({h, chart});
+      open(arrays, h, chart);
     // a point beside a slab reaches all along its side, and past its own images without an end
     std::size_t next_look = 64;
     while (!m_open.empty() && m_faces.size() <= most) {
@@ -138,20 +138,20 @@ public:
           return false;
         next_look *= 2;
       }
-      const Open open = m_open.back();
-      const Halfedge_index outer = arrays.twin(open.halfedge);
-      const Chart beyond = state.chart_beyond(open.halfedge, open.chart);
+      const Open side = m_open.back();
+      const Halfedge_index outer = arrays.twin(side.halfedge);
+      const Chart beyond = state.chart_beyond(side.halfedge, side.chart);
       m_open.pop_back();
       if (is_in_circle(outer, beyond)) {
         if (!is_free(arrays.apex(outer)))
           return false;
         m_faces.push_back(Arrays::face_of(outer));
         m_edges.push_back(arrays.edge_of(outer));
-        m_open.push_back({Arrays::previous(outer), beyond});
-        m_open.push_back({Arrays::next(outer), beyond});
+        open(arrays, Arrays::previous(outer), beyond);
+        open(arrays, Arrays::next(outer), beyond);
       } else
         m_sides.push_back(
-            {state.site_in(Arrays::next(open.halfedge), open.chart), outer, arrays.edge_of(outer)});
+            {state.site_in(Arrays::next(side.halfedge), side.chart), outer, arrays.edge_of(outer)});
     }
     return m_faces.size() <= most && !meets_itself();
   }
@@ -238,6 +238,13 @@ private:
     Halfedge_index halfedge;
     Chart chart;
   };
+
+  // Has the face beyond h examined later, when its data have come.
+  void open(const Arrays& arrays, Halfedge_index h, const Chart& chart)
+  {
+    arrays.prefetch_face(arrays.twin(h));
+    m_open.push_back({h, chart});
+  }
 
   // Whether a face inside of the polygon is there twice, or is also beyond a side: then it is
   // inside of the polygon of another image of the center, too.

@@ -249,6 +249,7 @@ public:
     for (const auto& side : polygon.sides()) {
       internal::prefetch(&m_state.positions()[State::vertex_of(side.corner)]);
       m_arrays.prefetch_edge(side.edge);
+      m_arrays.prefetch_face(side.outer);
     }
     for (const Edge_index e : polygon.edges())
       m_arrays.prefetch_edge(e);
@@ -571,6 +572,8 @@ public:
     m_positions.go_on();
     m_editing.rest_in_present_cell();
   }
+  // Ends a frame at rest: from now on the call is like one that moves no points.
+  void forget_previous() { m_positions.forget_previous(); }
   // Puts all vertices at their targets, if they have stopped.
   void arrive() { m_positions.arrive(); }
 

@@ -45,15 +45,12 @@ struct Cost_model_2
                                             : rebuilt_vertex * vertices * 2 / 3;
   }
 
-  // Points that come or go among so many vertices. Each is looked up in memory that a large
-  // triangulation does not find in the caches. Where all points rest, a rebuild takes as long as a
-  // change of 21 percent of 1,000 points, of 16 percent of 10,000, or of 7 percent of 100,000.
+  // Points that come or go among so many vertices. Where all points rest, a rebuild takes as long
+  // as a change of 23 percent of 1,000 or 10,000 points, or of 13 percent of 100,000.
   static std::size_t changes(std::size_t number, std::size_t vertices)
   {
-    constexpr std::size_t in_middle = 50, in_large = 80;
-    return number * (vertices < (1 << 12)               ? insertion
-                     : vertices < max_vertices_in_cache ? in_middle
-                                                        : in_large);
+    constexpr std::size_t in_cache = 34, beyond = 41;
+    return number * (vertices < max_vertices_in_cache ? in_cache : beyond);
   }
 
   // In how many steps to take a frame after which so many edges are broken. Each step is a pass

@@ -139,6 +139,8 @@ private:
       m_is_certified = was_certified && change.moved.empty();
       throw;
     }
+    if (plan.is_at_rest)
+      m_context.editor.forget_previous();
     // before points are removed, because a rebuild just leaves them out (if a proof is required)
     if (plan.reason == Rebuild_reason_2::NONE && plan.steps == 1 && change.has_population() &&
         m_context.proof.is_required() && m_context.is_rebuild_cheaper()) {
@@ -225,6 +227,7 @@ private:
   {
     Rebuild_reason_2 reason = Rebuild_reason_2::NONE;
     unsigned steps = 1;
+    bool is_at_rest = false; // only points come and go, so no edge is broken
   };
 
   // Decides before any work that a rebuild would discard.
@@ -239,6 +242,9 @@ private:
                                                                  : Rebuild_reason_2::POPULATION};
     if (change.is_frame && choices.wants_rebuild(Frame(m_state)))
       return {Rebuild_reason_2::POLICY};
+    if (change.is_frame && change.has_population() && choices.is_exact() && was_certified &&
+        parted == 0 && m_state.is_frame_at_rest())
+      return {Rebuild_reason_2::NONE, 1, true};
     return change.is_frame && choices.may_sample() ? plan_by_sample(change, was_certified) : Plan();
   }
 
@@ -254,7 +260,7 @@ private:
       return {Rebuild_reason_2::TOO_MUCH_BROKEN};
     }
     const bool can_stop = State::Positions::can_place && was_certified;
-    return {Rebuild_reason_2::NONE, can_stop ? outlook.steps() : 1};
+    return {Rebuild_reason_2::NONE, can_stop ? outlook.steps() : 1, false};
   }
 
   bool leaves_too_few(const Change& change) const
@@ -294,7 +300,8 @@ private:
 
   // CLASSIFICATION ------------------------------------------------------------------------------
 
-  // The user's classifier is called for whole frames that are taken in one step. Otherwise exact
+  // The user's classifier is called for whole frames that are taken in one step. If it is exact, it
+  // has nothing to name where points come and go and all others rest. Otherwise exact
   // predicates decide: at all edges if these are uncertified and a proof is required, else around
   // the moved points. Where points can be located only if all is Delaunay, a proof is always
   // required.
@@ -308,7 +315,9 @@ private:
     };
     if (change.is_frame) {
       require_if(choices.is_exact());
-      if (plan.steps == 1) // each step is classified on its own
+      if (plan.is_at_rest)
+        task.hull = Proof::Hull::AS_BEFORE;
+      else if (plan.steps == 1) // each step is classified on its own
         choices.classify(Frame(m_state), m_context.classification);
     } else if (change.is_mending ||
                ((choices.is_exact() || !State::can_locate_anywhere) && !was_certified)) {
