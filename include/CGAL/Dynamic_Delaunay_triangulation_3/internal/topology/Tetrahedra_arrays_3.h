@@ -207,6 +207,36 @@ public:
     return {{first, second, null_index}, 2};
   }
 
+  // Replaces cells, which form a ball without vertices inside, by cells over its border that have
+  // the vertex v in common. Each facet of the border is given by the corner of the cell within that
+  // is opposite to it. Returns a new cell.
+  Cell_index replace_by_star(const std::vector<Cell_index>& ball,
+                             const std::vector<Corner_index>& border, Vertex_index v)
+  {
+    m_star.clear();
+    for (std::size_t n = 0; n < border.size(); ++n) {
+      const int tip = place_of(border[n]);
+      Star_cell made{n < ball.size() ? ball[n] : make_cell(), tip, m_cells[cell_of(border[n])]};
+      made.cell.vertices[tip] = v;
+      m_star.push_back(made);
+    }
+    for (std::size_t n = border.size(); n < ball.size(); ++n)
+      drop_cell(ball[n]);
+    if (border.size() <= most_of_table)
+      connect_star_by_table();
+    else
+      connect_star_by_sorting();
+    for (const Star_cell& made : m_star) {
+      record(made.number);
+      note(made.number);
+      m_cells[made.number] = made.cell;
+      for (int i = 0; i < 4; ++i)
+        m_corners[made.cell.vertices[i]] = corner(made.number, i);
+      connect(corner(made.number, made.tip), made.cell.mirrors[made.tip]);
+    }
+    return m_star.back().number;
+  }
+
   // Moves the last cells to the numbers of free ones.
   void close_gaps()
   {
@@ -341,6 +371,73 @@ private:
       m_record.emplace_back(c, m_cells[c]);
   }
 
+  // A cell of a star before it is written. Its mirror at the tip lies outside of the star.
+  struct Star_cell
+  {
+    Cell_index number;
+    int tip; // the place of the vertex in the middle
+    Cell cell;
+  };
+
+  // Connects the cells of a star, beside the border. Each edge of the border belongs to two of
+  // them, which see it in opposite directions; so a table, by the numbers that its ends get here,
+  // tells the one what the other is.
+  void connect_star_by_table()
+  {
+    const std::size_t corners = 4 * m_star.size();
+    const auto vertex_at = [this](std::size_t k) { return m_star[k / 4].cell.vertices[k % 4]; };
+    for (std::size_t k = 0; k < corners; ++k)
+      m_corners[vertex_at(k)] = Corner_index(k); // the last one of each counts
+    std::array<unsigned char, 4 * most_of_table> counted, number;
+    unsigned char vertices = 0;
+    for (std::size_t k = 0; k < corners; ++k) {
+      counted[k] = vertices;
+      vertices = static_cast<unsigned char>(vertices + (m_corners[vertex_at(k)] == k));
+    }
+    for (std::size_t k = 0; k < corners; ++k)
+      number[k] = counted[m_corners[vertex_at(k)]];
+    std::array<std::array<unsigned char, row_of_table>, row_of_table> sides;
+    for_each_side([&](std::size_t k, std::size_t from, std::size_t to) {
+      sides[number[from]][number[to]] = static_cast<unsigned char>(k);
+    });
+    for_each_side([&](std::size_t k, std::size_t from, std::size_t to) {
+      const int other = sides[number[to]][number[from]];
+      m_star[k / 4].cell.mirrors[k % 4] = corner(m_star[std::size_t(other / 4)].number, other % 4);
+    });
+  }
+
+  // Calls f(k, from, to) for each corner of a star's cell but that at the tip, with the ends of the
+  // edge of the border that is opposite to it, in the direction in which the cell sees it. Corners
+  // are counted from 0.
+  template <class Function>
+  void for_each_side(const Function& f) const
+  {
+    for (std::size_t n = 0; n < m_star.size(); ++n) {
+      const std::size_t tip = std::size_t(m_star[n].tip), first = 4 * n;
+      for (std::size_t i = 1; i < 4; ++i) {
+        // tip, side, p and q are an even permutation where the tip has an even place
+        const std::size_t side = (tip + i) % 4, p = (tip + i % 3 + 1) % 4, q = 6 - tip - side - p;
+        f(first + side, first + (tip % 2 == 0 ? p : q), first + (tip % 2 == 0 ? q : p));
+      }
+    }
+  }
+
+  // The same for any number of cells.
+  void connect_star_by_sorting()
+  {
+    std::vector<std::pair<Few<Vertex_index, 2>, std::size_t>> sides;
+    for_each_side([&](std::size_t k, std::size_t from, std::size_t to) {
+      const Vertices_3& v = m_star[k / 4].cell.vertices;
+      const auto [low, high] = std::minmax(v[from % 4], v[to % 4]);
+      sides.push_back({{low, high}, k});
+    });
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t n = 0; n < sides.size(); ++n) {
+      const std::size_t k = sides[n].second, other = sides[n ^ 1].second;
+      m_star[k / 4].cell.mirrors[k % 4] = corner(m_star[other / 4].number, int(other % 4));
+    }
+  }
+
   void drop_free_ones_at_end()
   {
     while (!m_cells.empty() && m_cells.back().vertices[0] == null_index)
@@ -365,6 +462,11 @@ private:
   Column<Cell_index, Cell> m_cells;
   std::vector<Cell_index> m_free;
   Column<Vertex_index, Corner_index> m_corners;
+
+  // A star of so many cells has at most so many vertices: by Euler, half of it and two on the
+  // border, and the tip. All corners have numbers of a byte.
+  static constexpr std::size_t most_of_table = 64, row_of_table = most_of_table / 2 + 3;
+  std::vector<Star_cell> m_star;
 
   bool m_is_recording = false;
   std::vector<std::pair<Cell_index, Cell>> m_record; // what was overwritten, in order
