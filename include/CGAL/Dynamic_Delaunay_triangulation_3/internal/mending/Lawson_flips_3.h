@@ -41,11 +41,12 @@ public:
   const Cell_signs_3<State>& signs() const { return m_signs; }
   std::size_t number_of_flips() const { return m_number; }
 
+  // Gives memory back, too: after a rough frame these lists have some 100 bytes a point.
   void clear()
   {
-    m_finite.clear();
-    m_infinite.clear();
-    m_stuck.clear();
+    m_finite = std::vector<Facet>();
+    m_infinite = std::vector<Facet>();
+    m_stuck = std::vector<Facet>();
     m_number = 0;
   }
   void forget_open_facets()
@@ -54,8 +55,8 @@ public:
     m_infinite.clear();
   }
 
-  // Opens the facets of a cell, but those that floating point proves legal. No vertex may move until
-  // run().
+  // Opens the facets of a cell, but those that floating point proves legal. No vertex may move
+  // until run().
   void open_cell(Cell_index c)
   {
     const Vertices_3& v = arrays().vertices(c);

@@ -13,11 +13,18 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Room for a few more than so many: frames change the number of cells little.
+inline std::size_t with_reserve(std::size_t cells)
+{
+  return cells + cells / 32 + 64;
+}
 
 // A triangulated 3-sphere in one flat array: for each cell its four vertices, and for each of its
 // corners the mirror corner, which lies opposite to the same facet in the neighbor. So the vertex
@@ -79,10 +86,12 @@ public:
     m_free.clear();
     m_is_recording = false;
   }
-  // Starts with so many vertices, the infinite one included, and no cells.
+  // Starts with so many vertices, the infinite one included, and no cells, but memory for as many
+  // as random points have.
   void reset(Index vertices)
   {
     clear_cells();
+    m_cells.reserve(7 * std::size_t(vertices));
     m_corners.assign(vertices, Corner_index(null_index));
   }
   void resize_vertices(Index number) { m_corners.resize(number, null_index); }
@@ -95,7 +104,7 @@ public:
         throw std::length_error("the triangulation would have more than 2^30 - 1 cells");
       c = Cell_index(m_cells.size());
       if (m_cells.size() == m_cells.capacity()) // doubling would take 200 bytes a point
-        m_cells.reserve(m_cells.size() + m_cells.size() / 8 + 64);
+        m_cells.reserve(with_reserve(m_cells.size()));
       m_cells.push_back(free_cell());
       note(c);
     } else {
@@ -491,9 +500,9 @@ public:
   void clear(Index cells)
   {
     make_room(cells);
-    m_mark += 2;
+    m_mark = Mark(m_mark + 2);
     if (m_mark == 0) { // all numbers are used up
-      std::fill(m_marks.begin(), m_marks.end(), 0);
+      std::fill(m_marks.begin(), m_marks.end(), Mark(0));
       m_mark = 2;
     }
   }
@@ -501,8 +510,8 @@ public:
   void make_room(Index cells)
   {
     if (m_marks.size() < cells) {
-      m_marks.reserve(cells + cells / 8 + 64); // resize() alone may double it
-      m_marks.resize(cells + cells / 8 + 64, 0);
+      m_marks.reserve(with_reserve(cells)); // resize() alone may double it
+      m_marks.resize(with_reserve(cells), Mark(0));
     }
   }
   bool has(Cell_index c) const { return m_marks[c] >= m_mark; }
@@ -515,11 +524,13 @@ public:
     insert(c, 0);
     return true;
   }
-  void insert(Cell_index c, Index kind) { m_marks[c] = m_mark + kind; }
+  void insert(Cell_index c, Index kind) { m_marks[c] = Mark(m_mark + kind); }
 
 private:
-  Column<Cell_index, Index> m_marks;
-  Index m_mark = 0;
+  using Mark = std::uint16_t; // every 32,000th call of clear() takes linear time
+
+  Column<Cell_index, Mark> m_marks;
+  Mark m_mark = 0;
 };
 
 // Lists the cells around a vertex.
