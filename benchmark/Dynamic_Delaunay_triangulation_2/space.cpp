@@ -13,16 +13,27 @@
 // move 0.7 spacings besides; `streams` are two, each by a step in its direction; in `jumps` five
 // points go anywhere.
 //
+// `out of it` are nanoseconds a point of what comes out of a triangulation, beside the same by
+// CGAL's Delaunay triangulation: lists of all neighbors, volumes of all Voronoi cells (of CGAL's
+// from the circumcenters around each edge; it clips none to a box), and the nearest points of as
+// many random places along a curve, each found from the last. `bytes` are those a point that the
+// dynamic triangulation has allocated, after its construction and after a frame of 0.01 spacings,
+// and those of CGAL's.
+//
 // `construction` is the ratio of the constructor's time to that of CGAL's insertion of the range.
 // After the last frame every triangulation has to be valid, by exact predicates, and to have as
 // many vertices as CGAL's. The first fault ends the program.
 
+#include "common/Counted_heap.h"
 #include "common/Program.h"
 #include "common/Statistics.h"
 #include "common/Table.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_neighbor_lists_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_point_queries_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_measures_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/spatial_sort.h>
 
@@ -32,6 +43,8 @@
 #include <cmath>
 #include <cstddef>
 #include <iostream>
+#include <iterator>
+#include <optional>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -188,6 +201,117 @@ void write_construction(common::Table& table, std::size_t n)
                   0.0);
 }
 
+// The neighbors of all vertices, one vertex after the other.
+std::size_t count_neighbors(const Static& fresh)
+{
+  std::vector<Static::Vertex_handle> neighbors;
+  for (const Static::Vertex_handle v : fresh.finite_vertex_handles()) {
+    fresh.finite_adjacent_vertices(v, std::back_inserter(neighbors));
+  }
+  return neighbors.size();
+}
+
+// Sixfold volume of the two pyramids over the Voronoi facet of an edge; 0 if it is unbounded.
+double volume_at(const Static& fresh, const Static::Edge& edge)
+{
+  const Point p = edge.first->vertex(edge.second)->point();
+  const Point q = edge.first->vertex(edge.third)->point();
+  std::vector<Point> corners;
+  Static::Cell_circulator c = fresh.incident_cells(edge), end = c;
+  do {
+    if (fresh.is_infinite(c)) {
+      return 0;
+    }
+    corners.push_back(c->circumcenter());
+  } while (++c != end);
+  Kernel::Vector_3 area(0, 0, 0);
+  for (std::size_t i = 2; i < corners.size(); ++i) {
+    area += CGAL::cross_product(corners[i - 1] - corners[0], corners[i] - corners[0]);
+  }
+  return std::abs(area * (q - p));
+}
+
+double sum_of_volumes(const Static& fresh)
+{
+  double sum = 0;
+  for (const Static::Edge& edge : fresh.finite_edges()) {
+    sum += volume_at(fresh, edge) / 6;
+  }
+  return sum;
+}
+
+template <class Own, class Other>
+void write_pair(common::Table& table, const std::string& name, std::size_t n, const Own& own,
+                const Other& other)
+{
+  std::vector<double> owns, others;
+  for (int i = 0; i != 5; ++i) {
+    owns.push_back(nanoseconds(n, own));
+    others.push_back(nanoseconds(n, other));
+  }
+  table.write_row(name, common::median(owns), common::median(others),
+                  common::median_ratio(others, owns));
+}
+
+void write_bytes(common::Table& table, Points& points, std::mt19937_64& random)
+{
+  const std::size_t n = points.size();
+  const auto bytes_since = [n](std::size_t before) {
+    return double(common::live_heap_bytes() - before) / double(n);
+  };
+  const std::size_t before = common::live_heap_bytes();
+  Dynamic dt(points);
+  const double constructed = bytes_since(before);
+  move("poisson", 0.01, points, random);
+  dt.update(points);
+  const double moved = bytes_since(before);
+  const std::size_t beside = common::live_heap_bytes();
+  const Static fresh(points.begin(), points.end());
+  const double others = bytes_since(beside);
+  table.write_row("  bytes, constructed", constructed, others, others / constructed);
+  table.write_row("  bytes, moved", moved, others, others / moved);
+}
+
+void write_out_of_it(common::Table& table, std::size_t n)
+{
+  std::mt19937_64 random(1);
+  Points points = points_of("poisson", n, random);
+  const Points places = points_of("poisson", n, random);
+  const double side = std::cbrt(double(n));
+  const CGAL::Bbox_3 box(0, 0, 0, side, side, side);
+  const Dynamic dt(points);
+  const Static fresh(points.begin(), points.end());
+  std::size_t found = 0;
+  double volume = 0;
+  write_pair(
+      table, "  neighbor lists", n, [&] { CGAL::Delaunay_neighbor_lists_3().compute(dt); },
+      [&] { found += count_neighbors(fresh); });
+  write_pair(
+      table, "  Voronoi cells", n, [&] { CGAL::Voronoi_cell_measures_3().compute(dt); },
+      [&] { volume += sum_of_volumes(fresh); });
+  write_pair(
+      table, "  cells in a box", n, [&] { CGAL::Voronoi_cell_measures_3().compute(dt, box); },
+      [] {});
+  const CGAL::Delaunay_point_queries_3<Dynamic> queries(dt);
+  std::vector<std::optional<std::size_t>> nearest;
+  write_pair(
+      table, "  nearest points", n,
+      [&] {
+        nearest.clear();
+        queries.nearest(places.begin(), places.end(), std::back_inserter(nearest));
+      },
+      [&] {
+        Static::Cell_handle hint;
+        for (const Point& p : places) {
+          hint = fresh.nearest_vertex(p, hint)->cell();
+        }
+      });
+  write_bytes(table, points, random);
+  if (found == 0 || !(volume > 0) || nearest.size() != n) {
+    throw std::runtime_error("something is missing");
+  }
+}
+
 void add_options(CLI::App& app, Options& options)
 {
   app.description("Times updates in space against CGAL's insertion.");
@@ -212,7 +336,10 @@ bool run_space(const Options& options, const std::string& command)
                        {"held %", 8, 3},
                        {"relocated", 11, 2},
                        {"rebuilds %", 12, 0}});
+  common::Table out(std::cout, 24, {{"own", 9, 0}, {"CGAL", 9, 0}, {"/CGAL", 9, 2}});
   for (const std::size_t n : options.points) {
+    out.write_head("out of " + std::to_string(n) + " points");
+    write_out_of_it(out, n);
     table.write_head(std::to_string(n) + " points");
     write_construction(table, n);
     for (const std::string& kind : options.kinds) {

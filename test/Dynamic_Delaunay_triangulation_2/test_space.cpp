@@ -95,6 +95,23 @@ TEST(Points_in_space, may_form_a_lattice)
   ASSERT_NO_FATAL_FAILURE(expect_exact(Dynamic(lattice(6)), lattice(6)));
 }
 
+// Far more cells than most vertices have.
+TEST(Points_in_space, may_be_inserted_amid_hundreds)
+{
+  Points points;
+  for (const Point& p : random_points(300)) {
+    const Epick::Vector_3 way = p - Point(0.5, 0.5, 0.5);
+    points.push_back(CGAL::ORIGIN + way / std::sqrt(way.squared_length()));
+  }
+  Dynamic dt(points);
+  points.emplace_back(0.01, 0.02, 0.03);
+  dt.insert(points.back());
+  std::size_t neighbors = 0;
+  dt.for_each_neighbor(300, [&](std::size_t) { ++neighbors; });
+  EXPECT_GT(neighbors, 200u);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+}
+
 TEST(Points_in_space, may_be_read_from_any_range)
 {
   const Points points = random_points(50);
@@ -279,6 +296,20 @@ TEST(Points_that_rest, need_no_flip)
     EXPECT_FALSE(report.rebuilt());
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
   }
+}
+
+TEST(Lattice_in_space, is_rebuilt_by_its_first_motion)
+{
+  Points points = lattice(12);
+  Dynamic dt(points);
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> way(0, 1e-4);
+  for (Point& p : points)
+    p = p + Epick::Vector_3(way(random), way(random), way(random));
+  const CGAL::Update_report_3 report = dt.update(points);
+  EXPECT_EQ(report.rebuild_reason, CGAL::Rebuild_reason_2::TOO_MUCH_BROKEN);
+  EXPECT_EQ(report.flips, 0u);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }
 
 TEST(Points_that_jump, are_taken_out_and_inserted_elsewhere)

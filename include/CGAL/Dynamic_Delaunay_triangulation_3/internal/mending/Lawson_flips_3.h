@@ -41,11 +41,12 @@ public:
   const Cell_signs_3<State>& signs() const { return m_signs; }
   std::size_t number_of_flips() const { return m_number; }
 
+  // Gives memory back, too: after a rough frame these lists have some 100 bytes a point.
   void clear()
   {
-    m_finite.clear();
-    m_infinite.clear();
-    m_stuck.clear();
+    m_finite = std::vector<Facet>();
+    m_infinite = std::vector<Facet>();
+    m_stuck = std::vector<Facet>();
     m_number = 0;
   }
   void forget_open_facets()
@@ -54,11 +55,20 @@ public:
     m_infinite.clear();
   }
 
-  // Opens all facets of a cell.
+  // Opens the facets of a cell, but those that floating point proves legal. No vertex may move
+  // until run().
   void open_cell(Cell_index c)
   {
-    for (const Vertex_index v : arrays().vertices(c))
-      open(c, v);
+    const Vertices_3& v = arrays().vertices(c);
+    if (arrays().is_infinite(c) || !m_state.positions_are_exact) {
+      for (const Vertex_index w : v)
+        open(c, w);
+      return;
+    }
+    const auto filter = m_signs.filter_of(v);
+    for (int i = 0; i < 4; ++i)
+      if (filter.may_be_inside(m_signs.seen_from(v[0], arrays().apex(Arrays::corner(c, i)))))
+        m_finite.push_back({c, v[i]});
   }
   // Opens the facet of a cell opposite to a vertex: it is tested, and flipped if it is illegal.
   // Facets between a finite and an infinite cell are never illegal.

@@ -71,7 +71,7 @@ public:
           return w;
     }
     find_conflicts(c, v);
-    fill(v);
+    m_last = m_arrays.replace_by_star(m_conflicts, m_border, v);
     return null_index;
   }
 
@@ -135,72 +135,6 @@ private:
     }
   }
 
-  // Replaces the cells in conflict by cells over the border.
-  void fill(Vertex_index v)
-  {
-    m_new_cells.clear();
-    m_marks.make_room(m_arrays.number_of_cells() + Index(m_border.size()));
-    for (const Corner_index k : m_border) {
-      const int place = Arrays::place_of(k);
-      Vertices_3 vertices = m_arrays.vertices(Arrays::cell_of(k));
-      vertices[place] = v;
-      const Cell_index c = m_arrays.make_cell(); // without mirrors
-      m_arrays.set_vertices(c, vertices);
-      // also tells the facet of the old cell, which has yet to find its neighbors, its new cell
-      const Corner_index outside = m_arrays.mirror(k);
-      m_arrays.connect(Arrays::corner(c, place), k);
-      m_new_cells.push_back({c, outside});
-    }
-    for (std::size_t n = 0; n < m_border.size(); ++n) {
-      connect_to_neighbors(m_border[n], m_new_cells[n].cell);
-      m_last = m_new_cells[n].cell;
-    }
-    for (std::size_t n = 0; n < m_border.size(); ++n)
-      m_arrays.connect(Arrays::corner(m_new_cells[n].cell, Arrays::place_of(m_border[n])),
-                       m_new_cells[n].outside);
-    for (const Cell_index c : m_conflicts)
-      m_arrays.drop_cell(c);
-  }
-
-  // Connects the new cell over a facet of the border with those over the three facets beside. Each
-  // of them is found by turning around their common edge, through cells in conflict.
-  void connect_to_neighbors(Corner_index border, Cell_index cell)
-  {
-    const Cell_index old = Arrays::cell_of(border);
-    const int place = Arrays::place_of(border);
-    for (int i = 0; i < 4; ++i) {
-      if (i == place || m_arrays.mirror(Arrays::corner(cell, i)) != null_index)
-        continue; // the latter has found this one
-      const Few<Vertex_index, 2> edge = edge_without(m_arrays.vertices(old), i, place);
-      int enters = place;
-      Corner_index beyond = m_arrays.mirror(Arrays::corner(old, i));
-      while (m_marks.has(Arrays::cell_of(beyond), conflicting)) {
-        const Arrays::Cell& c = m_arrays.cell(Arrays::cell_of(beyond));
-        enters = Arrays::place_of(beyond);
-        beyond = c.mirrors[6 - enters - Arrays::place_of_known(c, edge[0]) -
-                           Arrays::place_of_known(c, edge[1])];
-      }
-      m_arrays.connect(Arrays::corner(cell, i), Arrays::corner(Arrays::cell_of(beyond), enters));
-    }
-  }
-
-  // The two vertices of a cell at other places than these.
-  static Few<Vertex_index, 2> edge_without(const Vertices_3& v, int i, int j)
-  {
-    Few<Vertex_index, 2> edge;
-    int number = 0;
-    for (int k = 0; k < 4; ++k)
-      if (k != i && k != j)
-        edge[number++] = v[k];
-    return edge;
-  }
-
-  struct New_cell
-  {
-    Cell_index cell;
-    Corner_index outside;
-  };
-
   static constexpr Index bordering = 0, conflicting = 1; // kinds of marks
 
   Arrays& m_arrays;
@@ -210,7 +144,6 @@ private:
   Cell_index m_last{0};
   std::vector<Cell_index> m_conflicts;
   std::vector<Corner_index> m_border; // corners of cells in conflict, opposite to others
-  std::vector<New_cell> m_new_cells;
 };
 
 // Finds four vertices of a list that are not coplanar, and moves them to its front. Returns whether

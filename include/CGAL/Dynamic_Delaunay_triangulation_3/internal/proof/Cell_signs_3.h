@@ -50,7 +50,7 @@ public:
   int side_of_sphere(const Vertices_3& v, Vertex_index other) const
   {
     if (m_state.positions_are_exact)
-      if (const int sign = filtered_side_of_sphere(v, other))
+      if (const int sign = filter_of(v).side_of_sphere(seen_from(v[0], other)))
         return sign;
     return int(m_side_of_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), point(other)));
   }
@@ -71,21 +71,20 @@ public:
     return int(m_orientation(origin(), p, q, r));
   }
 
+  // The filter of a finite cell, which takes positions as seen from its first vertex.
+  Cell_filter_in_lanes_3<double> filter_of(const Vertices_3& v) const
+  {
+    return {seen_from(v[0], v[1]), seen_from(v[0], v[2]), seen_from(v[0], v[3])};
+  }
+  Points_in_lanes_3<double> seen_from(Vertex_index origin, Vertex_index v) const
+  {
+    const Position_3 way = m_state.positions.position(v) - m_state.positions.position(origin);
+    return {way.x, way.y, way.z};
+  }
+
 private:
   decltype(auto) point(Vertex_index v) const { return m_state.point(v); }
   Point origin() const { return Point(m_state.origin.x, m_state.origin.y, m_state.origin.z); }
-
-  // The side in floating point, or 0 if that does not prove it.
-  int filtered_side_of_sphere(const Vertices_3& v, Vertex_index other) const
-  {
-    const auto at = [this](Vertex_index w) {
-      const Position_3& p = m_state.positions.position(w);
-      return Points_in_lanes_3<double>{p.x, p.y, p.z};
-    };
-    const Points_in_lanes_3<double> a = at(v[0]);
-    return Cell_filter_in_lanes_3<double>(at(v[1]) - a, at(v[2]) - a, at(v[3]) - a)
-        .side_of_sphere(at(other) - a);
-  }
 
   int sign_from_origin(const Vertices_3& v, int place) const
   {

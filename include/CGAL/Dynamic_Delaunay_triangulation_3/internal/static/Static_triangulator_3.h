@@ -49,13 +49,13 @@ public:
     m_state.flat_edges.clear();
     m_state.flat_triangles.clear();
     m_state.has_origin = false;
-    order_by_rounds(vertices);
-    std::vector<Vertex_index> first = m_order;
+    const std::vector<Vertex_index> order = order_by_rounds(vertices);
+    std::vector<Vertex_index> first = order;
     m_state.spans_space = begins_with_a_cell(m_state, first);
     if (!m_state.spans_space)
       return triangulate_plane(covered);
     m_insertion.begin({first[0], first[1], first[2], first[3]});
-    for (const Vertex_index v : m_order)
+    for (const Vertex_index v : order)
       if (std::find(first.begin(), first.begin() + 4, v) == first.begin() + 4)
         if (const Vertex_index other = m_insertion.insert(v); other != null_index)
           covered.emplace_back(v, other);
@@ -95,7 +95,7 @@ public:
 private:
   static constexpr std::uint64_t choices = 8; // one in so many vertices is inserted earlier
 
-  void order_by_rounds(Index vertices)
+  static std::vector<Vertex_index> order_by_rounds(Index vertices)
   {
     std::array<std::vector<Vertex_index>, 10> rounds;
     for (Vertex_index v(1); v <= vertices; ++v) {
@@ -105,9 +105,11 @@ private:
         bits /= choices;
       rounds[round].push_back(v);
     }
-    m_order.clear();
+    std::vector<Vertex_index> order;
+    order.reserve(vertices);
     for (std::size_t round = rounds.size(); round-- > 0;)
-      m_order.insert(m_order.end(), rounds[round].begin(), rounds[round].end());
+      order.insert(order.end(), rounds[round].begin(), rounds[round].end());
+    return order;
   }
 
   // Cells in the order of their smallest vertices: a pass over them then reads positions in order.
@@ -202,7 +204,6 @@ private:
   State& m_state;
   Vertex_insertion_3<State> m_insertion;
   Cell_signs_3<State> m_signs;
-  std::vector<Vertex_index> m_order;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -13,11 +13,18 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Room for a few more than so many: frames change the number of cells little.
+inline std::size_t with_reserve(std::size_t cells)
+{
+  return cells + cells / 32 + 64;
+}
 
 // A triangulated 3-sphere in one flat array: for each cell its four vertices, and for each of its
 // corners the mirror corner, which lies opposite to the same facet in the neighbor. So the vertex
@@ -79,10 +86,12 @@ public:
     m_free.clear();
     m_is_recording = false;
   }
-  // Starts with so many vertices, the infinite one included, and no cells.
+  // Starts with so many vertices, the infinite one included, and no cells, but memory for as many
+  // as random points have.
   void reset(Index vertices)
   {
     clear_cells();
+    m_cells.reserve(7 * std::size_t(vertices));
     m_corners.assign(vertices, Corner_index(null_index));
   }
   void resize_vertices(Index number) { m_corners.resize(number, null_index); }
@@ -95,7 +104,7 @@ public:
         throw std::length_error("the triangulation would have more than 2^30 - 1 cells");
       c = Cell_index(m_cells.size());
       if (m_cells.size() == m_cells.capacity()) // doubling would take 200 bytes a point
-        m_cells.reserve(m_cells.size() + m_cells.size() / 8 + 64);
+        m_cells.reserve(with_reserve(m_cells.size()));
       m_cells.push_back(free_cell());
       note(c);
     } else {
@@ -205,6 +214,36 @@ public:
     connect(corner(second, side), at_q[2]);
     connect(corner(first, p), corner(second, q));
     return {{first, second, null_index}, 2};
+  }
+
+  // Replaces cells, which form a ball without vertices inside, by cells over its border that have
+  // the vertex v in common. Each facet of the border is given by the corner of the cell within that
+  // is opposite to it. Returns a new cell.
+  Cell_index replace_by_star(const std::vector<Cell_index>& ball,
+                             const std::vector<Corner_index>& border, Vertex_index v)
+  {
+    m_star.clear();
+    for (std::size_t n = 0; n < border.size(); ++n) {
+      const int tip = place_of(border[n]);
+      Star_cell made{n < ball.size() ? ball[n] : make_cell(), tip, m_cells[cell_of(border[n])]};
+      made.cell.vertices[tip] = v;
+      m_star.push_back(made);
+    }
+    for (std::size_t n = border.size(); n < ball.size(); ++n)
+      drop_cell(ball[n]);
+    if (border.size() <= most_of_table)
+      connect_star_by_table();
+    else
+      connect_star_by_sorting();
+    for (const Star_cell& made : m_star) {
+      record(made.number);
+      note(made.number);
+      m_cells[made.number] = made.cell;
+      for (int i = 0; i < 4; ++i)
+        m_corners[made.cell.vertices[i]] = corner(made.number, i);
+      connect(corner(made.number, made.tip), made.cell.mirrors[made.tip]);
+    }
+    return m_star.back().number;
   }
 
   // Moves the last cells to the numbers of free ones.
@@ -341,6 +380,73 @@ private:
       m_record.emplace_back(c, m_cells[c]);
   }
 
+  // A cell of a star before it is written. Its mirror at the tip lies outside of the star.
+  struct Star_cell
+  {
+    Cell_index number;
+    int tip; // the place of the vertex in the middle
+    Cell cell;
+  };
+
+  // Connects the cells of a star, beside the border. Each edge of the border belongs to two of
+  // them, which see it in opposite directions; so a table, by the numbers that its ends get here,
+  // tells the one what the other is.
+  void connect_star_by_table()
+  {
+    const std::size_t corners = 4 * m_star.size();
+    const auto vertex_at = [this](std::size_t k) { return m_star[k / 4].cell.vertices[k % 4]; };
+    for (std::size_t k = 0; k < corners; ++k)
+      m_corners[vertex_at(k)] = Corner_index(k); // the last one of each counts
+    std::array<unsigned char, 4 * most_of_table> counted, number;
+    unsigned char vertices = 0;
+    for (std::size_t k = 0; k < corners; ++k) {
+      counted[k] = vertices;
+      vertices = static_cast<unsigned char>(vertices + (m_corners[vertex_at(k)] == k));
+    }
+    for (std::size_t k = 0; k < corners; ++k)
+      number[k] = counted[m_corners[vertex_at(k)]];
+    std::array<std::array<unsigned char, row_of_table>, row_of_table> sides;
+    for_each_side([&](std::size_t k, std::size_t from, std::size_t to) {
+      sides[number[from]][number[to]] = static_cast<unsigned char>(k);
+    });
+    for_each_side([&](std::size_t k, std::size_t from, std::size_t to) {
+      const int other = sides[number[to]][number[from]];
+      m_star[k / 4].cell.mirrors[k % 4] = corner(m_star[std::size_t(other / 4)].number, other % 4);
+    });
+  }
+
+  // Calls f(k, from, to) for each corner of a star's cell but that at the tip, with the ends of the
+  // edge of the border that is opposite to it, in the direction in which the cell sees it. Corners
+  // are counted from 0.
+  template <class Function>
+  void for_each_side(const Function& f) const
+  {
+    for (std::size_t n = 0; n < m_star.size(); ++n) {
+      const std::size_t tip = std::size_t(m_star[n].tip), first = 4 * n;
+      for (std::size_t i = 1; i < 4; ++i) {
+        // tip, side, p and q are an even permutation where the tip has an even place
+        const std::size_t side = (tip + i) % 4, p = (tip + i % 3 + 1) % 4, q = 6 - tip - side - p;
+        f(first + side, first + (tip % 2 == 0 ? p : q), first + (tip % 2 == 0 ? q : p));
+      }
+    }
+  }
+
+  // The same for any number of cells.
+  void connect_star_by_sorting()
+  {
+    std::vector<std::pair<Few<Vertex_index, 2>, std::size_t>> sides;
+    for_each_side([&](std::size_t k, std::size_t from, std::size_t to) {
+      const Vertices_3& v = m_star[k / 4].cell.vertices;
+      const auto [low, high] = std::minmax(v[from % 4], v[to % 4]);
+      sides.push_back({{low, high}, k});
+    });
+    std::sort(sides.begin(), sides.end());
+    for (std::size_t n = 0; n < sides.size(); ++n) {
+      const std::size_t k = sides[n].second, other = sides[n ^ 1].second;
+      m_star[k / 4].cell.mirrors[k % 4] = corner(m_star[other / 4].number, int(other % 4));
+    }
+  }
+
   void drop_free_ones_at_end()
   {
     while (!m_cells.empty() && m_cells.back().vertices[0] == null_index)
@@ -366,6 +472,11 @@ private:
   std::vector<Cell_index> m_free;
   Column<Vertex_index, Corner_index> m_corners;
 
+  // A star of so many cells has at most so many vertices: by Euler, half of it and two on the
+  // border, and the tip. All corners have numbers of a byte.
+  static constexpr std::size_t most_of_table = 64, row_of_table = most_of_table / 2 + 3;
+  std::vector<Star_cell> m_star;
+
   bool m_is_recording = false;
   std::vector<std::pair<Cell_index, Cell>> m_record; // what was overwritten, in order
   std::vector<Cell_index> m_made, m_dropped;
@@ -389,9 +500,9 @@ public:
   void clear(Index cells)
   {
     make_room(cells);
-    m_mark += 2;
+    m_mark = Mark(m_mark + 2);
     if (m_mark == 0) { // all numbers are used up
-      std::fill(m_marks.begin(), m_marks.end(), 0);
+      std::fill(m_marks.begin(), m_marks.end(), Mark(0));
       m_mark = 2;
     }
   }
@@ -399,8 +510,8 @@ public:
   void make_room(Index cells)
   {
     if (m_marks.size() < cells) {
-      m_marks.reserve(cells + cells / 8 + 64); // resize() alone may double it
-      m_marks.resize(cells + cells / 8 + 64, 0);
+      m_marks.reserve(with_reserve(cells)); // resize() alone may double it
+      m_marks.resize(with_reserve(cells), Mark(0));
     }
   }
   bool has(Cell_index c) const { return m_marks[c] >= m_mark; }
@@ -413,11 +524,13 @@ public:
     insert(c, 0);
     return true;
   }
-  void insert(Cell_index c, Index kind) { m_marks[c] = m_mark + kind; }
+  void insert(Cell_index c, Index kind) { m_marks[c] = Mark(m_mark + kind); }
 
 private:
-  Column<Cell_index, Index> m_marks;
-  Index m_mark = 0;
+  using Mark = std::uint16_t; // every 32,000th call of clear() takes linear time
+
+  Column<Cell_index, Mark> m_marks;
+  Mark m_mark = 0;
 };
 
 // Lists the cells around a vertex.
