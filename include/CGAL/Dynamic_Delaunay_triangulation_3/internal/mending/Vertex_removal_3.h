@@ -40,7 +40,7 @@ public:
     while (m_hole.size() <= most_cells) {
       find_border(v);
       if (triangulate_around() && match_border() && find_inside())
-        return has_all_vertices() && are_new_cells_positive() && fill();
+        return are_new_cells_positive() && fill();
       if (m_growth.empty())
         for (const Border& border : m_border)
           m_growth.push_back(Arrays::cell_of(border.outside));
@@ -192,20 +192,6 @@ private:
       if (m_state.marks.insert(c))
         m_hole.push_back(c);
     return m_hole.size() > before;
-  }
-
-  // Whether all vertices around are vertices of the filling inside. Where cells cover space twice,
-  // which only the proof at the end of a frame excludes, some may coincide, or be elsewhere.
-  bool has_all_vertices() const
-  {
-    std::vector<Vertex_index> vertices;
-    for (const Cell_index c : m_inside)
-      for (const Vertex_index w : m_filling.vertices(c))
-        if (w != infinite_index)
-          vertices.push_back(w);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    return vertices.size() == m_around.size();
   }
 
   // The hull shrinks where a vertex of the hull goes: the origin may not be inside of it any more.

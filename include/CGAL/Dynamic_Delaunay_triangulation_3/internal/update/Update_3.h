@@ -27,9 +27,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // Changes points, and makes their triangulation Delaunay again. The phases of a frame, in order:
 // points that go are taken out; all others move; a pass finds what floating point does not prove;
 // cells that are not positive are flipped away, or one of their vertices is held; facets that are
-// not legal are flipped; held vertices are released; those that cannot arrive are taken out; what
-// was taken out, has parted from others, or is new is inserted; one ray proves that the cells cover
-// space once. Whatever fails ends in a rebuild.
+// not legal are flipped; held vertices are released; one ray proves that the cells cover space
+// once; vertices that cannot arrive are taken out; what was taken out, has parted from others, or
+// is new is inserted. Whatever fails ends in a rebuild.
 template <class State>
 class Update_3
 {
@@ -181,8 +181,7 @@ private:
       m_waiting.wait(change.coming[i], change.coming_points[i]);
     m_report.merged = m_waiting.insert_all();
     m_state.arrays.close_gaps();
-    // insertions and removals leave covered once what was so
-    return !change.is_frame || covers_space_once() ? Reason::NONE : Reason::STUCK;
+    return Reason::NONE;
   }
 
   Reason mend_frame()
@@ -208,7 +207,8 @@ private:
     open_illegal();
     m_flips.run();
     m_held.release();
-    if (!unstick())
+    // only from a Delaunay triangulation can vertices be taken out, or be inserted into it
+    if (!unstick() || !covers_space_once())
       return Reason::STUCK;
     return take_out_left() ? Reason::NONE : Reason::STUCK;
   }
