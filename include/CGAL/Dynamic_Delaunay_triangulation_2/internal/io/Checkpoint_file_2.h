@@ -175,7 +175,7 @@ public:
   Integer number(const char* what, Integer lowest, Integer highest)
   {
     const std::string_view text = word(what);
-    Integer number;
+    Integer number{};
     if (!read_whole(text, number) || number < lowest || number > highest)
       refuse(what, text,
              "a number from " + std::to_string(lowest) + " to " + std::to_string(highest));
