@@ -19,6 +19,7 @@
 #include "common/Program.h"
 #include "common/Statistics.h"
 #include "common/Table.h"
+#include "common/Thread_time.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_static_policy_2.h>
@@ -36,7 +37,6 @@
 #include <random>
 #include <stdexcept>
 #include <string>
-#include <time.h>
 #include <utility>
 #include <vector>
 
@@ -62,13 +62,6 @@ struct Options
   }
 };
 
-double nanoseconds_of_thread()
-{
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e9 * double(now.tv_sec) + double(now.tv_nsec);
-}
-
 // Mends in one step, whatever that costs, and counts the edges to mend.
 struct Unlimited_repair
 {
@@ -93,9 +86,9 @@ struct Times
   template <class Update>
   void add(std::size_t points, const Update& update)
   {
-    const double begin = nanoseconds_of_thread();
+    const double begin = common::thread_nanoseconds();
     const Report report = update();
-    nanoseconds.push_back((nanoseconds_of_thread() - begin) / double(points));
+    nanoseconds.push_back((common::thread_nanoseconds() - begin) / double(points));
     rebuilt += report.rebuilt();
     relocated += report.relocated;
   }

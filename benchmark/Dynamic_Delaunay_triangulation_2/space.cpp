@@ -28,6 +28,7 @@
 #include "common/Program.h"
 #include "common/Statistics.h"
 #include "common/Table.h"
+#include "common/Thread_time.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
@@ -48,7 +49,6 @@
 #include <random>
 #include <stdexcept>
 #include <string>
-#include <time.h>
 #include <vector>
 
 namespace {
@@ -73,19 +73,10 @@ struct Options
   }
 };
 
-double nanoseconds_of_thread()
-{
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e9 * double(now.tv_sec) + double(now.tv_nsec);
-}
-
 template <class Work>
 double nanoseconds(std::size_t points, const Work& work)
 {
-  const double begin = nanoseconds_of_thread();
-  work();
-  return (nanoseconds_of_thread() - begin) / double(points);
+  return common::thread_nanoseconds_of(work) / double(points);
 }
 
 // Points of density 1: the mean spacing is 1.

@@ -24,14 +24,14 @@
 //   valid %    frames in which all are
 //   ns         the classifier, in nanoseconds a point, without what keeps its lengths
 //   pass ns    in space, the exact pass on the same frames: the filter on all cells, and exact
-//   predicates
-//              where it proves nothing
+//              predicates where it proves nothing
 //
 // Time is that of the thread, medians over all frames.
 
 #include "common/Program.h"
 #include "common/Statistics.h"
 #include "common/Table.h"
+#include "common/Thread_time.h"
 #include "space_classifiers/Broken_vertices_2.h"
 #include "space_classifiers/Broken_vertices_3.h"
 #include "space_classifiers/Point_distance.h"
@@ -50,7 +50,6 @@
 #include <random>
 #include <stdexcept>
 #include <string>
-#include <time.h>
 #include <vector>
 
 namespace {
@@ -108,19 +107,10 @@ struct Method
   std::vector<double> nanoseconds{};
 };
 
-double nanoseconds_of_thread()
-{
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e9 * double(now.tv_sec) + double(now.tv_nsec);
-}
-
 template <class Work>
 double nanoseconds(std::size_t points, const Work& work)
 {
-  const double begin = nanoseconds_of_thread();
-  work();
-  return (nanoseconds_of_thread() - begin) / double(points);
+  return common::thread_nanoseconds_of(work) / double(points);
 }
 
 template <class Space>

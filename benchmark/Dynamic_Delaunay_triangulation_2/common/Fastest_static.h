@@ -8,13 +8,13 @@
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Recorded_motion.h"
 #include "scenario_runner/Static_triangulation.h"
+#include "Thread_time.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/static/Static_triangulator_2.h>
 #include <CGAL/hilbert_sort.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <ctime>
 #include <optional>
 #include <vector>
 
@@ -49,31 +49,6 @@ inline void insert_in_rounds(const Points& points, run::Static_triangulation& tr
   for_each_in_rounds(points.size(),
                      [&](std::size_t i) { hint = triangulation.insert(points[i], hint)->face(); });
 }
-
-// The processor time of this thread, which excludes other work on the machine; wall-clock time on
-// systems that do not count it.
-#ifdef CLOCK_THREAD_CPUTIME_ID
-inline double thread_nanoseconds()
-{
-  std::timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-}
-
-template <class Work>
-double thread_nanoseconds_of(Work work)
-{
-  const double start = thread_nanoseconds();
-  work();
-  return thread_nanoseconds() - start;
-}
-#else
-template <class Work>
-double thread_nanoseconds_of(Work work)
-{
-  return run::nanoseconds_of(work);
-}
-#endif
 
 // Three ways to triangulate a frame anew with CGAL's own means. Which is the fastest is not
 // known before they have been tried. Whatever a program could have at hand before the frame comes,

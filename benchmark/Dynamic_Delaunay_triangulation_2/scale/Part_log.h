@@ -4,13 +4,14 @@
 #ifndef SCALE_PART_LOG_H
 #define SCALE_PART_LOG_H
 
+#include "common/Thread_time.h"
+
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Part_runner.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <ctime>
 #include <functional>
 #include <queue>
 #include <utility>
@@ -60,13 +61,13 @@ public:
   {
     m_entries = Entries();
     m_phase = phase;
-    m_begin = now();
+    m_begin = common::thread_nanoseconds();
   }
 
   // Ends the phase, and begins another one.
   void enter(Phase phase)
   {
-    const double end = now();
+    const double end = common::thread_nanoseconds();
     m_entries[m_phase].total += end - m_begin;
     m_begin = end;
     m_phase = phase;
@@ -84,9 +85,9 @@ public:
   {
     std::vector<double> times(parts);
     for (std::size_t part = 0; part != parts; ++part) {
-      const double begin = now();
+      const double begin = common::thread_nanoseconds();
       f(part);
-      times[part] = now() - begin;
+      times[part] = common::thread_nanoseconds() - begin;
     }
     m_entries[m_phase].runs.push_back(std::move(times));
   }
@@ -99,13 +100,6 @@ public:
   }
 
 private:
-  static double now()
-  {
-    std::timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return 1e9 * static_cast<double>(time.tv_sec) + static_cast<double>(time.tv_nsec);
-  }
-
   static double end_of(const std::vector<double>& parts, std::size_t threads)
   {
     std::priority_queue<double, std::vector<double>, std::greater<double>> free_at(

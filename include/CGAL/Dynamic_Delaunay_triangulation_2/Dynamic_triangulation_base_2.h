@@ -402,8 +402,8 @@ public:
   }
 
   /// adds the points of the range. Their ids are written to `ids` first, if it is given; if no id
-  /// is free, they are the next ones, in the order of the range. Rebuilds if there is more than
-  /// about one new point for every nine or ten vertices, in periodic space for every three. Throws
+  /// is free, they are the next ones, in the order of the range. Rebuilds if there are more than
+  /// about half as many as vertices, of more than 32,768 a quarter, in periodic space more. Throws
   /// what `insert(p)` throws; then nothing changes, and no id is written. \post That of
   /// `insert(p)`, if the range is not empty. With a heuristic classifier, an empty one changes
   /// nothing.
