@@ -4,7 +4,7 @@
 #ifndef SCALE_PART_LOG_H
 #define SCALE_PART_LOG_H
 
-#include "common/Thread_time.h"
+#include "../common/Thread_time.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Part_runner.h>
 #include <CGAL/tags.h>
