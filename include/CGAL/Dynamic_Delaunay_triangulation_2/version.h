@@ -13,7 +13,7 @@
 
 /// \ingroup PkgDynamicDelaunayTriangulation2Ref
 /// grows when programs that use the package have to change
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_MAJOR 1
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_VERSION_MAJOR 2
 
 /// \ingroup PkgDynamicDelaunayTriangulation2Ref
 /// grows when something is added
