@@ -40,6 +40,11 @@ public:
     return squared_length(m_state.positions.position(v) - m_position);
   }
 
+  double rounded_squared_length(Vertex_index v, Vertex_index w) const
+  {
+    return squared_length(m_state.positions.position(w) - m_state.positions.position(v));
+  }
+
   // A vertex, and an interval of its squared distance.
   struct Measured
   {

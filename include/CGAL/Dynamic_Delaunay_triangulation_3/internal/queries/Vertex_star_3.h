@@ -15,8 +15,9 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// A set of some vertices, by hashes. Clearing it takes time proportional to the number of members.
-class Vertex_set_3
+// A set of some indices, by hashes. Clearing it takes time proportional to the number of members.
+template <class Kind>
+class Sparse_set_3
 {
 public:
   void clear()
@@ -26,8 +27,8 @@ public:
     m_places.clear();
   }
 
-  // Whether the vertex was not there before.
-  bool insert(Vertex_index v)
+  // Whether the index was not there before.
+  bool insert(Kind v)
   {
     if (4 * m_places.size() >= m_table.size())
       grow();
@@ -40,8 +41,8 @@ public:
   }
 
 private:
-  // Where the vertex is, or would be inserted. There is always a free place.
-  std::size_t place_of(Vertex_index v) const
+  // Where the index is, or would be inserted. There is always a free place.
+  std::size_t place_of(Kind v) const
   {
     const std::size_t mask = m_table.size() - 1;
     std::size_t place = ((Index(v) * 0x9e3779b1u) >> 7) & mask;
@@ -52,16 +53,16 @@ private:
 
   void grow()
   {
-    std::vector<Vertex_index> members;
+    std::vector<Kind> members;
     for (const std::size_t place : m_places)
       members.push_back(m_table[place]);
     m_places.clear();
     m_table.assign(m_table.empty() ? 128 : 2 * m_table.size(), null_index);
-    for (const Vertex_index v : members)
+    for (const Kind v : members)
       insert(v);
   }
 
-  std::vector<Vertex_index> m_table; // a power of two of them
+  std::vector<Kind> m_table;         // a power of two of them
   std::vector<std::size_t> m_places; // those in use
 };
 
@@ -128,9 +129,50 @@ private:
     } while (cell != first);
   }
 
-  Vertex_set_3 m_found;
+  Sparse_set_3<Vertex_index> m_found;
   std::vector<std::pair<Vertex_index, Cell_index>> m_open; // neighbors, each with a cell
   Cell_ring_3 m_ring;
+};
+
+// Visits the cells of vertices, one vertex after the other: a third of the time of `Vertex_star_3`,
+// which also knows the cells around each edge.
+class Star_cells_3
+{
+public:
+  // Calls f(w, cell) for finite neighbors w of v, with a cell that has both, until f returns false.
+  // Each neighbor comes at least once. `first` is one of the cells of v.
+  template <class Function>
+  void for_each_neighbor(const Tetrahedra_arrays_3& arrays, Vertex_index v, Cell_index first,
+                         const Function& f)
+  {
+    const auto call = [&](Vertex_index w, Cell_index c) {
+      return w == v || w == infinite_index || f(w, c);
+    };
+    m_found.clear();
+    m_found.insert(first);
+    m_open.assign(1, first);
+    for (const Vertex_index w : arrays.vertices(first))
+      if (!call(w, first))
+        return;
+    for (std::size_t n = 0; n < m_open.size(); ++n) {
+      const Cell_index cell = m_open[n];
+      for (int place = 0; place != 4; ++place) {
+        if (arrays.vertices(cell)[place] == v)
+          continue;
+        const Corner_index beyond = arrays.mirror(Tetrahedra_arrays_3::corner(cell, place));
+        const Cell_index other = Tetrahedra_arrays_3::cell_of(beyond);
+        if (!m_found.insert(other))
+          continue;
+        m_open.push_back(other);
+        if (!call(arrays.vertex(beyond), other))
+          return;
+      }
+    }
+  }
+
+private:
+  Sparse_set_3<Cell_index> m_found;
+  std::vector<Cell_index> m_open;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
