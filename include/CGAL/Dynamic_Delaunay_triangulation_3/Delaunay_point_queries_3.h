@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -332,15 +333,17 @@ private:
     return nearest;
   }
 
-  // Of one of the edges of a vertex; 0 without cells.
+  // Of the shortest edge of a vertex in one of its cells; 0 without cells.
   static double squared_edge_length(const Query& query, Vertex_index v)
   {
     const State& state = query.state();
-    if (state.spans_space)
-      for (const Vertex_index w : state.arrays.vertices(cell_of(state, v)))
-        if (w != v && w != Dynamic_Delaunay_triangulations_3::internal::infinite_index)
-          return query.rounded_squared_length(v, w);
-    return 0;
+    if (!state.spans_space)
+      return 0;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Vertex_index w : state.arrays.vertices(cell_of(state, v)))
+      if (w != v && w != Dynamic_Delaunay_triangulations_3::internal::infinite_index)
+        shortest = (std::min)(shortest, query.rounded_squared_length(v, w));
+    return shortest;
   }
 
   // Finds all vertices w with `belongs(w)` that are connected with v by such vertices.
