@@ -18,6 +18,10 @@ namespace bindings {
 using Integers = std::vector<std::int32_t>;
 using Doubles = std::vector<double>;
 
+// Whether arrays of a triangulation have shifts that mean something.
+template <class Dynamic>
+constexpr bool is_periodic_triangulation = false;
+
 // As SciPy's, arrays have 32 bits for each number. Checked once, for the longest array.
 inline void check_length(std::size_t length)
 {

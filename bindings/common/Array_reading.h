@@ -5,7 +5,6 @@
 #define BINDINGS_ARRAY_READING_H
 
 #include "bindings/common/Array_numbers.h"
-#include "bindings/common/Change_reading.h"
 #include "bindings/common/Subject.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_neighbor_lists_2.h>
@@ -26,8 +25,6 @@
 
 namespace bindings {
 
-template <class Dynamic>
-constexpr bool is_periodic_triangulation = false;
 template <class... Parameters>
 constexpr bool
     is_periodic_triangulation<CGAL::Dynamic_periodic_Delaunay_triangulation_2<Parameters...>> =
@@ -317,8 +314,6 @@ template <class Dynamic>
 std::vector<Array> read_arrays(const Dynamic& dt, const Row_numbers& rows, Group group)
 {
   switch (group) {
-  case Group::IDS:
-    return {id_array(dt, [](std::size_t id) { return id; })};
   case Group::POINTS:
     return {point_array(dt, rows)};
   case Group::DUPLICATES:
@@ -333,15 +328,15 @@ std::vector<Array> read_arrays(const Dynamic& dt, const Row_numbers& rows, Group
     return cell_arrays(dt, rows);
   case Group::RIDGES:
     return ridge_arrays(dt, rows);
-  case Group::CHANGES:
-    return change_arrays<std::int32_t>(dt.visitor(),
-                                       [](std::size_t id) { return std::int32_t(id); });
   case Group::SETS:
     return {set_array(dt, rows)};
   case Group::BROKEN_EDGES:
     return broken_edge_arrays(dt, rows);
   case Group::CORNERS:
     return corner_arrays(dt, rows);
+  case Group::IDS:
+  case Group::CHANGES:
+    break; // which an owner of ids knows
   }
   return {};
 }

@@ -26,7 +26,7 @@ template <class Id>
 struct Changed_edge
 {
   Id i, j;
-  CGAL::Periodic_shift_2 shift; // no more than zeros in the plane
+  CGAL::Periodic_shift_2 shift; // zeros where space is not periodic
 
   friend bool operator<(const Changed_edge& e, const Changed_edge& f)
   {
@@ -41,11 +41,12 @@ Changed_edge<Id> in_order(const Changed_edge<Id>& edge)
                          : edge;
 }
 
-template <class Id, class Shown_id>
-Changed_edge<Id> changed_edge(const std::pair<std::size_t, std::size_t>& edge,
-                              const Shown_id& shown_id)
+// `edge` is a pair, or an array of two ids.
+template <class Id, class Edge, class Shown_id>
+Changed_edge<Id> changed_edge(const Edge& edge, const Shown_id& shown_id)
 {
-  return in_order(Changed_edge<Id>{shown_id(edge.first), shown_id(edge.second), {0, 0}});
+  return in_order(
+      Changed_edge<Id>{shown_id(std::get<0>(edge)), shown_id(std::get<1>(edge)), {0, 0}});
 }
 template <class Id, class Shown_id>
 Changed_edge<Id> changed_edge(const CGAL::Periodic_edge_changes_visitor_2::Edge& edge,
@@ -90,8 +91,8 @@ std::array<Array, 2> arrays_of(const std::vector<Changed_edge<Id>>& edges)
   return {{{std::move(ids), {2}}, {std::move(shifts), {2}}}};
 }
 
-// Created edges, removed edges, and the shifts of both, which are zeros in the plane.
-// `shown_id(id)` is what the user calls a point.
+// Created edges, removed edges, and the shifts of both, which are zeros where space is not
+// periodic. `shown_id(id)` is what the user calls a point.
 template <class Id, class Visitor, class Shown_id>
 std::vector<Array> change_arrays(const Visitor& visitor, const Shown_id& shown_id)
 {

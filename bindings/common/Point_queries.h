@@ -5,6 +5,7 @@
 #define BINDINGS_POINT_QUERIES_H
 
 #include "bindings/common/Array_reading.h"
+#include "bindings/common/Found_points.h"
 #include "bindings/common/Row_iterator.h"
 #include "bindings/common/Subject.h"
 
@@ -28,113 +29,6 @@
 
 namespace bindings {
 
-// What queries find: rows, and shifts, which are zeros in the plane.
-template <class Dynamic>
-class Found_images
-{
-public:
-  using Point = typename Dynamic::Point;
-  using Shift = CGAL::Periodic_shift_2;
-
-  Found_images(const Dynamic& dt, const Row_numbers& row_numbers, std::size_t size)
-    : m_dt(dt)
-    , m_row_numbers(row_numbers)
-  {
-    check_length(2 * size);
-    m_rows.reserve(size);
-    m_shifts.reserve(2 * size);
-  }
-
-  void add(std::size_t id, const Shift& shift)
-  {
-    m_rows.push_back(m_row_numbers[id]);
-    append(m_shifts, shift);
-  }
-  // Also notes the distance from the query point.
-  void add(const std::pair<std::size_t, Shift>& image, const Point& query_point)
-  {
-    add(image.first, image.second);
-    m_distances.push_back(distance(image.first, image.second, query_point));
-  }
-  void add(std::size_t id, const Point& query_point) { add({id, {0, 0}}, query_point); }
-  void add_none()
-  {
-    m_rows.push_back(-1);
-    append(m_shifts, {0, 0});
-    m_distances.push_back(std::numeric_limits<double>::infinity());
-  }
-
-  Array rows() { return {std::move(m_rows)}; }
-  Array shifts() { return {std::move(m_shifts), {2}}; }
-  Array distances() { return {std::move(m_distances)}; }
-
-private:
-  double distance(std::size_t id, const Shift& shift, const Point& query_point) const
-  {
-    const auto& p = m_dt.point(id);
-    double x = p.x() - query_point.x(), y = p.y() - query_point.y();
-    if constexpr (is_periodic_triangulation<Dynamic>) {
-      const CGAL::Periodic_cell_2& cell = m_dt.cell();
-      x += shift[0] * cell.ax() + shift[1] * cell.bx();
-      y += shift[0] * cell.ay() + shift[1] * cell.by();
-    }
-    return std::hypot(x, y);
-  }
-
-  const Dynamic& m_dt;
-  const Row_numbers& m_row_numbers;
-  Integers m_rows, m_shifts;
-  Doubles m_distances;
-};
-
-// Where the list of each query point begins, and where the last one ends.
-inline Array begins_array(const std::vector<std::size_t>& begins)
-{
-  check_length(begins.back());
-  Integers numbers;
-  numbers.reserve(begins.size());
-  for (const std::size_t begin : begins) {
-    numbers.push_back(std::int32_t(begin));
-  }
-  return {std::move(numbers)};
-}
-
-// Of each query point the row of the nearest point, -1 if there are no points; its distance and
-// shift.
-template <class Dynamic, class Query_points>
-std::vector<Array> nearest_arrays(const Dynamic& dt, const Row_numbers& rows,
-                                  const Query_points& query_points)
-{
-  using Queries = CGAL::Delaunay_point_queries_2<Dynamic>;
-  std::vector<std::optional<typename Queries::Answer>> answers;
-  Queries(dt).nearest(query_points.begin(), query_points.end(), std::back_inserter(answers));
-  Found_images<Dynamic> found(dt, rows, answers.size());
-  auto query_point = query_points.begin();
-  for (const auto& answer : answers) {
-    if (answer) {
-      found.add(*answer, *query_point);
-    } else {
-      found.add_none();
-    }
-    ++query_point;
-  }
-  return {found.rows(), found.distances(), found.shifts()};
-}
-
-// The square of a radius, rounded up, so that no point on the circle is lost.
-inline double square_of_radius(double radius)
-{
-  constexpr double largest = (std::numeric_limits<double>::max)();
-  constexpr double least_exact = 1e-280; // below it the error of a square may underflow
-  const double square = radius * radius;
-  if (!(square < largest)) {
-    return largest;
-  }
-  const bool is_rounded_down = std::fma(radius, radius, -square) > 0;
-  const bool is_tiny = radius > 0 && square < least_exact;
-  return is_rounded_down || is_tiny ? std::nextafter(square, largest) : square;
-}
-
 // Refuses a radius with which arrays of 32 bits could not hold what is found. In the plane each
 // point is found once for each query point at most.
 template <class Dynamic>
@@ -153,29 +47,6 @@ void check_number_of_images(const Dynamic& dt, std::size_t query_points, double 
                                   " images would be found: an array holds at most 2147483647");
     }
   }
-}
-
-// Where the list of each query point begins; rows, distances and shifts of the points in its
-// circle.
-template <class Dynamic, class Query_points>
-std::vector<Array> within_arrays(const Dynamic& dt, const Row_numbers& rows,
-                                 const Query_points& query_points, double radius)
-{
-  using Queries = CGAL::Delaunay_point_queries_2<Dynamic>;
-  const std::size_t size = std::size_t(query_points.end() - query_points.begin());
-  check_number_of_images(dt, size, radius);
-  std::vector<typename Queries::Answer> answers;
-  std::vector<std::size_t> begins;
-  Queries(dt).within(query_points.begin(), query_points.end(), square_of_radius(radius), answers,
-                     begins);
-  Found_images<Dynamic> found(dt, rows, answers.size());
-  for (std::size_t i = 0; i < size; ++i) {
-    const auto query_point = *(query_points.begin() + std::ptrdiff_t(i));
-    for (std::size_t k = begins[i]; k < begins[i + 1]; ++k) {
-      found.add(answers[k], query_point);
-    }
-  }
-  return {begins_array(begins), found.rows(), found.distances(), found.shifts()};
 }
 
 // Where the list of each query point begins; rows, weights and shifts.
@@ -264,12 +135,14 @@ std::vector<Array> answer_arrays(const Dynamic& dt, const Row_numbers& rows,
 {
   const auto query_points = row_range(question.query_points.size,
                                       Read_point<typename Dynamic::Point>{question.query_points});
+  using Queries = CGAL::Delaunay_point_queries_2<Dynamic>;
   CGAL::Interpolation_weights_2 weights;
   switch (question.query) {
   case Query::NEAREST:
-    return nearest_arrays(dt, rows, query_points);
+    return nearest_arrays<Queries>(dt, rows, query_points);
   case Query::WITHIN:
-    return within_arrays(dt, rows, query_points, question.extent);
+    check_number_of_images(dt, question.query_points.size, question.extent);
+    return within_arrays<Queries>(dt, rows, query_points, question.extent);
   case Query::NATURAL_WEIGHTS:
     weights.compute_natural_neighbor(dt, query_points.begin(), query_points.end());
     return weight_arrays(dt, rows, weights);

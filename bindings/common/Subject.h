@@ -105,20 +105,19 @@ struct Settings
 // A triangulation as another language uses it, whatever its type is. The ids of a population are
 // the user's, and its arrays speak of rows, which are the places in `Group::IDS`. Others have no
 // ids of the user, and their rows are the ids.
-class Subject
+template <class Its_report>
+class Subject_base
 {
 public:
-  using Report = CGAL::Update_report_2;
+  using Report = Its_report;
 
-  Subject() = default;
-  Subject(const Subject&) = delete;
-  Subject& operator=(const Subject&) = delete;
-  virtual ~Subject() = default;
+  Subject_base() = default;
+  Subject_base& operator=(const Subject_base&) = delete;
+  virtual ~Subject_base() = default;
 
   virtual bool is_population() const = 0;
-  virtual Report update(const Rows& ids, const Rows& points, const std::optional<Cell>& cell) = 0;
   virtual Report move(const Rows& ids, const Rows& points) = 0;
-  // A population inserts and removes one point, by the user's id. Else new ids are appended.
+  // Tells new ids where they are not the user's.
   virtual Report insert(const Rows& ids, const Rows& points,
                         std::vector<std::int64_t>& new_ids) = 0;
   virtual Report remove(const Rows& ids) = 0;
@@ -131,9 +130,30 @@ public:
   virtual std::size_t number_of_ids() const = 0;
   virtual std::size_t number_of_vertices() const = 0;
   virtual bool has_id(std::int64_t id) const = 0;
-  virtual std::optional<Cell> cell() const = 0;
 
   virtual std::vector<Array> arrays(Group group) const = 0;
+  virtual std::vector<Array> answer(const Question& question) const = 0;
+
+  virtual std::string checkpoint() const = 0;
+  virtual void restore(const std::string& checkpoint) = 0;
+
+protected:
+  Subject_base(const Subject_base&) = default;
+};
+
+// In the plane or in periodic space.
+class Subject : public Subject_base<CGAL::Update_report_2>
+{
+public:
+  static constexpr int dimension = 2;
+  // Whether a population inserts and removes one point at a time.
+  static constexpr bool changes_singly = true;
+
+  Subject() = default;
+  Subject(const Subject&) = delete;
+
+  virtual Report update(const Rows& ids, const Rows& points, const std::optional<Cell>& cell) = 0;
+  virtual std::optional<Cell> cell() const = 0;
   virtual std::vector<Array> clipped_cells(const Box& box) const = 0;
   virtual Array cell_corners(std::int64_t id) const = 0;
   // `bounded` has the domain, if there is one.
@@ -142,11 +162,6 @@ public:
   virtual CGAL::Bounded_voronoi_gradients_2 bounded_gradients(const Bounded_cells& bounded,
                                                               const Rows& area_weights,
                                                               const Rows& length_weights) const = 0;
-
-  virtual std::vector<Array> answer(const Question& question) const = 0;
-
-  virtual std::string checkpoint() const = 0;
-  virtual void restore(const std::string& checkpoint) = 0;
 };
 
 } // namespace bindings

@@ -7,6 +7,7 @@
 #include "bindings/common/Array_reading.h"
 #include "bindings/common/Bounded_cells.h"
 #include "bindings/common/Checkpoint_end.h"
+#include "bindings/common/Owning_subject.h"
 #include "bindings/common/Point_queries.h"
 #include "bindings/common/Row_iterator.h"
 #include "bindings/common/Subject.h"
@@ -35,43 +36,38 @@ inline CGAL::Periodic_cell_2 periodic_cell(const Cell& cell)
                       : CGAL::Periodic_cell_2(cell.ax, cell.ay, cell.bx, cell.by);
 }
 
-// The triangulation, and the ids of the user if there are any.
-template <class Dynamic>
-struct Without_user_ids
-{
-  explicit Without_user_ids(Dynamic its_triangulation)
-    : triangulation(std::move(its_triangulation))
-  {
-  }
-  Dynamic triangulation;
-};
-template <class Dynamic>
-using With_user_ids = CGAL::Dynamic_population_2<Dynamic>;
+template <class Dynamic, bool has_user_ids>
+using Owning_subject_2 =
+    Owning_subject<Subject, Dynamic,
+                   std::conditional_t<has_user_ids, CGAL::Dynamic_population_2<Dynamic>, void>>;
 
 template <class Dynamic, class Kinds, bool has_user_ids>
-class Subject_of : public Subject
+class Subject_of : public Owning_subject_2<Dynamic, has_user_ids>
 {
-  using Owner = std::conditional_t<has_user_ids, With_user_ids<Dynamic>, Without_user_ids<Dynamic>>;
-  using Point = typename Dynamic::Point;
+  using Base = Owning_subject_2<Dynamic, has_user_ids>;
+  using Base::dt, Base::identified, Base::owner, Base::points_missing_in, Base::positions,
+      Base::rows, Base::with_leaving;
+  using typename Base::Leaving;
+  using typename Base::Point;
   static constexpr bool is_periodic = is_periodic_triangulation<Dynamic>;
 
 public:
+  using typename Base::Report;
+
   explicit Subject_of(Dynamic triangulation)
-    : m_owner(std::move(triangulation))
+    : Base(std::move(triangulation))
   {
   }
 
-  bool is_population() const override { return has_user_ids; }
-
   Report update(const Rows& ids, const Rows& points, const std::optional<Cell>& cell) override
   {
-    const auto update = [&](const auto& rows) {
+    const auto update = [&](const auto& its_points) {
       if constexpr (is_periodic) {
         if (cell) {
-          return changing().update(rows, periodic_cell(*cell));
+          return owner().update(its_points, periodic_cell(*cell));
         }
       }
-      return changing().update(rows);
+      return owner().update(its_points);
     };
     if constexpr (has_user_ids) {
       return with_leaving([&] { return points_missing_in(ids); },
@@ -79,7 +75,7 @@ public:
     } else if (const Point* const first = points_in_memory<Point>(points)) {
       return update(CGAL::make_range(first, first + points.size)); // these are prefetched
     } else {
-      return update(row_range(points.size, Read_point<Point>{points}));
+      return update(positions(points));
     }
   }
 
@@ -88,17 +84,16 @@ public:
     if constexpr (has_user_ids) {
       check_distinct(ids);
     }
-    const auto movers = identified(ids, points);
-    return changing().move(movers.begin(), movers.end());
+    return Base::move(ids, points);
   }
 
   Report insert(const Rows& ids, const Rows& points, std::vector<std::int64_t>& new_ids) override
   {
     if constexpr (has_user_ids) {
-      return m_owner.insert(ids.at<std::int64_t>(0, 0), Read_point<Point>{points}(0));
+      return owner().insert(ids.at<std::int64_t>(0, 0), Read_point<Point>{points}(0));
     } else {
-      const auto newcomers = row_range(points.size, Read_point<Point>{points});
-      return changing().insert(newcomers.begin(), newcomers.end(), std::back_inserter(new_ids));
+      const auto newcomers = positions(points);
+      return owner().insert(newcomers.begin(), newcomers.end(), std::back_inserter(new_ids));
     }
   }
 
@@ -108,37 +103,21 @@ public:
       const std::int64_t user_id = ids.at<std::int64_t>(0, 0);
       return with_leaving(
           [&] {
-            return Leaving{{m_owner.id(user_id), user_id}};
+            return Leaving{{owner().id(user_id), user_id}};
           },
-          [&] { return m_owner.remove(user_id); });
+          [&] { return owner().remove(user_id); });
     } else {
       const auto gone = row_range(ids.size, Read_id{ids});
-      return changing().remove(gone.begin(), gone.end());
+      return owner().remove(gone.begin(), gone.end());
     }
   }
 
-  Report mend() override { return changing().mend(); }
-  bool certify() override { return changing().certify(); }
-
-  bool is_certified() const override { return dt().is_certified(); }
   bool is_valid() const override
   {
     if constexpr (Kinds::has_extras) {
       return dt().is_valid();
     } else {
       return refuse_extra();
-    }
-  }
-  std::size_t number_of_points() const override { return dt().number_of_points(); }
-  std::size_t number_of_ids() const override { return dt().number_of_ids(); }
-  std::size_t number_of_vertices() const override { return dt().number_of_vertices(); }
-
-  bool has_id(std::int64_t id) const override
-  {
-    if constexpr (has_user_ids) {
-      return m_owner.has(id);
-    } else {
-      return dt().has_id(std::size_t(id));
     }
   }
 
@@ -154,17 +133,14 @@ public:
 
   std::vector<Array> arrays(Group group) const override
   {
-    const Row_numbers rows(dt(), has_user_ids);
-    if constexpr (has_user_ids) {
-      if (group == Group::CHANGES) {
-        return change_arrays<std::int64_t>(m_owner.visitor(),
-                                           [&](std::size_t id) { return user_id_then(id); });
-      }
-      if (group == Group::IDS) {
-        return {id_array(dt(), [&](std::size_t id) { return m_owner.user_id(id); })};
-      }
+    switch (group) {
+    case Group::IDS:
+      return Base::ids();
+    case Group::CHANGES:
+      return Base::changes();
+    default:
+      return read_arrays(dt(), rows(), group);
     }
-    return read_arrays(dt(), rows, group);
   }
 
   std::vector<Array> clipped_cells(const Box& box) const override
@@ -174,14 +150,14 @@ public:
     } else {
       CGAL::Voronoi_cell_measures_2 measures;
       measures.compute(dt(), CGAL::Bbox_2(box.xmin, box.ymin, box.xmax, box.ymax));
-      return measure_arrays(dt(), Row_numbers(dt(), has_user_ids), measures);
+      return measure_arrays(dt(), rows(), measures);
     }
   }
 
   Array cell_corners(std::int64_t id) const override
   {
     if constexpr (has_user_ids) {
-      return corner_array(dt(), m_owner.id(id));
+      return corner_array(dt(), owner().id(id));
     } else {
       return corner_array(dt(), std::size_t(id));
     }
@@ -190,8 +166,7 @@ public:
   Bounded_cells bounded_cells(Bounded_cells bounded, const Radii& radii) const override
   {
     bounded.cell = cell();
-    return compute_bounded_cells<Kinds::has_extras>(dt(), Row_numbers(dt(), has_user_ids),
-                                                    std::move(bounded), radii);
+    return compute_bounded_cells<Kinds::has_extras>(dt(), rows(), std::move(bounded), radii);
   }
 
   CGAL::Bounded_voronoi_gradients_2 bounded_gradients(const Bounded_cells& bounded,
@@ -208,7 +183,7 @@ public:
   std::vector<Array> answer(const Question& question) const override
   {
     if constexpr (Kinds::has_extras) {
-      return answer_arrays(dt(), Row_numbers(dt(), has_user_ids), question);
+      return answer_arrays(dt(), rows(), question);
     } else {
       return refuse_extra(), std::vector<Array>();
     }
@@ -233,11 +208,11 @@ public:
       check_end(checkpoint);
       std::istringstream in(checkpoint);
       with_leaving([&] { return points_missing_in(Rows()); },
-                   [&] { return m_owner.read_checkpoint(in); });
+                   [&] { return owner().read_checkpoint(in); });
     } else {
       check_end(checkpoint);
       std::istringstream in(checkpoint);
-      m_owner.triangulation.read_checkpoint(in);
+      owner().read_checkpoint(in);
     }
   }
 
@@ -246,31 +221,6 @@ private:
   {
     throw std::logic_error(
         "this binding has no checkpoints, checks of validity, gradients or queries");
-  }
-
-  const auto& owner() const
-  {
-    if constexpr (has_user_ids) {
-      return m_owner;
-    } else {
-      return m_owner.triangulation;
-    }
-  }
-  auto& changing()
-  {
-    if constexpr (has_user_ids) {
-      return m_owner;
-    } else {
-      return m_owner.triangulation;
-    }
-  }
-  const Dynamic& dt() const
-  {
-    if constexpr (has_user_ids) {
-      return m_owner.triangulation();
-    } else {
-      return m_owner.triangulation;
-    }
   }
 
   // The triangulation would name the point by its own id.
@@ -286,65 +236,6 @@ private:
       throw CGAL::Repeated_id_error_2(*repeated);
     }
   }
-
-  using Leaving = std::vector<Leaving_point>;
-
-  // Makes a change, of which a visitor that records changes has to know beforehand who leaves.
-  template <class Find_leaving, class Change>
-  auto with_leaving(const Find_leaving& find_leaving, const Change& change)
-  {
-    if constexpr (records_changes<std::decay_t<decltype(m_owner.visitor())>>) {
-      const Leaving leaving = find_leaving();
-      m_owner.visitor().expect(leaving);
-      try {
-        return change();
-      } catch (...) {
-        m_owner.visitor().expect({});
-        if (!leaving.empty() && m_owner.has(leaving.front().user_id)) {
-          m_owner.visitor().clear(); // all was taken back
-        }
-        throw;
-      }
-    } else {
-      return change();
-    }
-  }
-
-  Leaving points_missing_in(const Rows& ids) const
-  {
-    std::vector<bool> is_there(dt().number_of_ids());
-    for (std::size_t i = 0; i < ids.size; ++i) {
-      const std::int64_t user_id = ids.at<std::int64_t>(i, 0);
-      if (m_owner.has(user_id)) {
-        is_there[m_owner.id(user_id)] = true;
-      }
-    }
-    Leaving missing;
-    for (std::size_t id = 0; id < is_there.size(); ++id) {
-      if (!is_there[id] && dt().has_id(id)) {
-        missing.push_back({id, m_owner.user_id(id)});
-      }
-    }
-    return missing;
-  }
-
-  // Of a point that is there, or has left in the last call.
-  std::int64_t user_id_then(std::size_t id) const
-  {
-    if constexpr (records_changes<std::decay_t<decltype(m_owner.visitor())>>) {
-      if (m_owner.visitor().is_name(id)) {
-        return m_owner.visitor().user_id(id);
-      }
-    }
-    return m_owner.user_id(id);
-  }
-
-  static auto identified(const Rows& ids, const Rows& points)
-  {
-    return row_range(points.size, Read_identified_point<Point>{ids, points});
-  }
-
-  Owner m_owner;
 };
 
 } // namespace bindings
