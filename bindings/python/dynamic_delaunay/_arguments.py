@@ -10,7 +10,7 @@ import os
 from typing import Any, Optional
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from .errors import InputTypeError, InputValueError
 
@@ -31,6 +31,15 @@ def as_integer(name: str, number: Any, bound: int) -> int:
 
 def number_of_processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def as_floats(name: str, numbers: ArrayLike) -> NDArray[np.float64]:
+    try:
+        return np.asarray(numbers, dtype=np.float64)
+    except TypeError as error:
+        raise InputTypeError(f"{name} must be real numbers: {error}") from None
+    except ValueError as error:
+        raise InputValueError(f"{name} must be real numbers: {error}") from None
 
 
 def as_rows(points: ArrayLike, dimension: int = 2) -> ArrayLike:

@@ -10,22 +10,23 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import are_in_space, as_index, as_integer, as_list, as_rows, given, number_of_processors
+from ._arguments import are_in_space, as_floats, as_index, as_integer, as_list, as_rows, given, number_of_processors
+from ._changes import ChangedEdges, ChangedEdgesByIds, checked_changes, recorded
 from ._checkpoints import Checkpoints
 from ._core import ClassifierFrame, Group, Query, UpdateReport
+from ._places import Places, as_extent, lists
 from ._rows import Rows, ScipyNames
 from .bounded import BoundedCells, Domain, rings_of
 from .errors import (
     InputIndexError,
     InputTypeError,
     InputValueError,
-    NotRecordedError,
     ParameterError,
     PeriodicCellError,
     UnknownIdError,
 )
 from .neighbors import NeighborList
-from .queries import AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
+from .queries import AlphaShape, InterpolationWeights
 from .space import DynamicDelaunay3D, Population3D
 
 Classifier = Union[str, Callable[[ClassifierFrame], Any]]
@@ -54,39 +55,19 @@ def _settings(
         raise InputTypeError(f"the repair is {repair!r}: it must be a name or None")
     if not isinstance(policy, str):
         raise InputTypeError(f"the policy is {policy!r}: it must be a name")
-    if not isinstance(changes, (bool, np.bool_)):
-        raise InputTypeError(f"changes is {changes!r}: it must be True or False")
     return dict(
         classifier=classifier,
         repair=repair or "",
         policy=policy,
-        changes=bool(changes),
+        changes=checked_changes(changes),
         threads=as_integer("threads", threads, 2**31),
         seed=as_integer("seed", seed, 2**64),
     )
 
 
-def _floats(name: str, numbers: ArrayLike) -> NDArray[np.float64]:
-    try:
-        return np.asarray(numbers, dtype=np.float64)
-    except TypeError as error:
-        raise InputTypeError(f"{name} must be real numbers: {error}") from None
-    except ValueError as error:
-        raise InputValueError(f"{name} must be real numbers: {error}") from None
-
-
-def _extent(name: str, number: Any) -> float:
-    array = _floats(name, number)
-    if array.ndim != 0:
-        raise InputValueError(f"{name} has the shape {array.shape}: it must be one number")
-    if not array >= 0:
-        raise InputValueError(f"{name} is {array}: it must be 0 or more")
-    return float(array)
-
-
 def _cell(cell: ArrayLike) -> _core.Cell:
     """From two sides, two vectors as rows, or one vector as one row."""
-    array = _floats("a cell", cell)
+    array = as_floats("a cell", cell)
     if array.shape == (2,):
         return _core.Cell(array[0], 0.0, 0.0, array[1], False)
     if array.shape == (2, 2):
@@ -105,7 +86,7 @@ def _cell_array(cell: _core.Cell) -> NDArray[np.float64]:
     return vectors[:1] if cell.is_slab else vectors
 
 
-class _Triangulation(Checkpoints, Rows, _core.Triangulation):
+class _Triangulation(Checkpoints, Places, Rows, _core.Triangulation):
     """What triangulations in the plane and in periodic space have in common."""
 
     _settings: dict[str, Any]
@@ -119,12 +100,6 @@ class _Triangulation(Checkpoints, Rows, _core.Triangulation):
         chosen: dict[str, Any] = {**settings, "threads": settings["threads"] or number_of_processors()}
         self._start(population=population, cell=cell, **chosen)
         self._settings = settings
-
-    def _changes(self) -> tuple[NDArray[Any], ...]:
-        if not getattr(self, "_settings", {"changes": True})["changes"]:
-            kind = type(self).__name__
-            raise NotRecordedError(f"changed edges are recorded only with changes=True, as by {kind}(..., changes=True)")
-        return self._arrays(Group.CHANGES)
 
     @property
     def points(self) -> NDArray[np.float64]:
@@ -194,47 +169,11 @@ class _Triangulation(Checkpoints, Rows, _core.Triangulation):
 
         ParameterError if a radius is not positive, or infinite without a domain, where those of removed ids mean
         nothing; DomainError if a domain is no such polygon; InputValueError if there is no such rule."""
-        radii = _floats("the radius", radius)
+        radii = as_floats("the radius", radius)
         one = float(radii) if radii.ndim == 0 else None
         if one == np.inf and domain is None:
             raise _nothing_bounds_cells(has_domains=not isinstance(self, _Periodic))
         return BoundedCells(self, self._bounded_cells(one, radius, rings_of(domain), rule))
-
-    def nearest(self, query_points: ArrayLike) -> NearestPoints:
-        """The nearest point of each query point: rows, distances and shifts, for query points (m, 2), or one, (2,).
-        Decided exactly. Cost: about n**(1/3) for each query point; less if it is near the last one.
-
-        NonFiniteCoordinateError if a query point is not finite; its ``id`` is the number of the query point."""
-        return NearestPoints(*self._answer(Query.NEAREST, as_rows(query_points), 0.0))
-
-    def _lists(
-        self, query: Query, query_points: ArrayLike, extent: float = 0.0
-    ) -> tuple[tuple[NDArray[Any], ...], tuple[int, int]]:
-        """What is found for each query point, and the numbers of query points and rows."""
-        while True:
-            rows = self._number_of_rows
-            arrays = self._answer(query, as_rows(query_points), extent)
-            if rows == self._number_of_rows:  # else another thread has changed the triangulation in between
-                return arrays, (len(arrays[0]) - 1, rows)
-
-    @property
-    def _number_of_rows(self) -> int:
-        return self.number_of_points if isinstance(self, _ByIds) else self.number_of_ids
-
-    def within(self, query_points: ArrayLike, radius: float) -> PointsWithin:
-        """All points within a radius of each query point, as lists one after the other, for query points (m, 2), or
-        one, (2,). Those on the circle belong to it. In periodic space these are images, of which one point may have
-        several.
-
-        A point that is farther than the radius by less than 2**-52 of it may be in the list. Around points, as
-        ``within(triangulation.points, radius)``, each finds itself as well. Cost: that of ``nearest()``, plus the
-        number of points that are found.
-
-        NonFiniteCoordinateError if a query point is not finite; InputValueError if the radius is negative or NaN, or
-        so large, compared to a periodic cell, that 32 bits could not count the images."""
-        extent = _extent("the radius", radius)
-        (indptr, indices, distances, shifts), shape = self._lists(Query.WITHIN, query_points, extent)
-        return PointsWithin(indptr, indices, distances, shifts, shape)
 
     def interpolation_weights(self, query_points: ArrayLike, method: str = "natural") -> InterpolationWeights:
         """The weights by which values at the points are interpolated at query points (m, 2), or one, (2,). By
@@ -249,7 +188,7 @@ class _Triangulation(Checkpoints, Rows, _core.Triangulation):
         queries = {"natural": Query.NATURAL_WEIGHTS, "linear": Query.LINEAR_WEIGHTS}
         if not isinstance(method, str) or method not in queries:
             raise InputValueError(f"the method is {method!r}: it must be 'natural' or 'linear'")
-        (indptr, indices, weights, shifts), shape = self._lists(queries[method], query_points)
+        (indptr, indices, weights, shifts), shape = lists(self, queries[method], query_points)
         return InterpolationWeights(indptr, indices, weights, shifts, shape)
 
     def alpha_shape(self, alpha: float) -> AlphaShape:
@@ -258,7 +197,7 @@ class _Triangulation(Checkpoints, Rows, _core.Triangulation):
         its general mode. Cost: linear.
 
         InputValueError if alpha is negative, or not a finite number."""
-        number = _extent("alpha", alpha)
+        number = as_extent("alpha", alpha)
         if number == np.inf:
             raise InputValueError("alpha is inf: it must be a finite number, the square of a radius")
         return AlphaShape(*self._answer(Query.ALPHA_SHAPE, np.empty((0, 2)), number))
@@ -337,7 +276,7 @@ class _Planar(ScipyNames, _Triangulation):
         """Measures of the parts of the Voronoi cells inside a box (xmin, ymin, xmax, ymax). Cells of the hull are
         bounded there. Cost: linear. InputValueError if the box is empty, as matplotlib's (xmin, xmax, ymin, ymax)
         mostly is."""
-        sides = _floats("a box", box)
+        sides = as_floats("a box", box)
         if sides.shape != (4,):
             raise InputValueError(f"a box has the shape {sides.shape}: it must be (4,), for xmin, ymin, xmax and ymax")
         if not (sides[:2] < sides[2:]).all() or not np.isfinite(sides).all():
@@ -376,15 +315,15 @@ class _Periodic(_Triangulation):
     @property
     def created_edge_shifts(self) -> NDArray[np.int32]:
         """int32 (k, 2): the shifts of ``created_edges``."""
-        return self._changes()[2]
+        return recorded(self)[2]
 
     @property
     def removed_edge_shifts(self) -> NDArray[np.int32]:
         """int32 (k, 2): the shifts of ``removed_edges``, as they would be called now."""
-        return self._changes()[3]
+        return recorded(self)[3]
 
 
-class _ByNumbers(_Triangulation):
+class _ByNumbers(ChangedEdges, _Triangulation):
     """Points with the ids 0, 1, 2, ..."""
 
     def insert(self, points: ArrayLike) -> NDArray[np.int64]:
@@ -398,16 +337,6 @@ class _ByNumbers(_Triangulation):
     def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport:
         """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
         return self._move(as_list(ids), as_rows(points))
-
-    @property
-    def created_edges(self) -> NDArray[np.int32]:
-        """int32 (k, 2): edges of now that were not there before the last call. Needs ``changes=True``."""
-        return self._changes()[0]
-
-    @property
-    def removed_edges(self) -> NDArray[np.int32]:
-        """int32 (k, 2): edges before the last call that are not there now. Needs ``changes=True``."""
-        return self._changes()[1]
 
 
 class _ByShape(_Triangulation):
@@ -425,7 +354,7 @@ class _ByShape(_Triangulation):
 
 class DynamicDelaunay(_ByNumbers, _Planar, _ByShape):
     """The Delaunay triangulation of moving points in the plane; of points (n, 3) it becomes a DynamicDelaunay3D, which
-    of the parameters has ``threads`` alone.
+    of the parameters has ``changes`` and ``threads``.
 
     Points have the ids 0, 1, 2, ... in the order in which they are given, and keep them; the id of a removed point is
     free, and the next point gets the smallest free id. Arrays have a row for each id that was ever in use.
@@ -516,12 +445,14 @@ class PeriodicDelaunay(_ByNumbers, _Periodic):
         return self._update(points, None, None if cell is None else _cell(cell))
 
 
-class _ByIds(_Triangulation):
+class _ByIds(ChangedEdgesByIds, _Triangulation):
     """Points that come and go, by any integers of 64 bits as ids.
 
     Arrays have a row for each point: row k is the point ``ids[k]``. So ``population.ids[population.edges]`` has the
     edges by ids. Rows change when points come or go.
     """
+
+    _has_user_ids = True
 
     def insert(self, id: int, point: ArrayLike) -> None:
         """Add one point, float (2,), by a new id."""
@@ -535,22 +466,10 @@ class _ByIds(_Triangulation):
         """Move some points, int (m,), or one, to positions, float (m, 2) or (2,). All others stay."""
         return self._move(as_list(ids), as_rows(points))
 
-    @property
-    def created_edges(self) -> NDArray[np.int64]:
-        """int64 (k, 2): edges of now, by the ids of both ends, that were not there before the last call. Needs
-        ``changes=True``."""
-        return self._changes()[0]
-
-    @property
-    def removed_edges(self) -> NDArray[np.int64]:
-        """int64 (k, 2): edges before the last call, by the ids of both ends, that are not there now; the points may
-        have left. Needs ``changes=True``."""
-        return self._changes()[1]
-
 
 class Population(_ByIds, _Planar, _ByShape):
     """The Delaunay triangulation of points in the plane that come and go, by any integers of 64 bits as ids; of points
-    (n, 3) it becomes a Population3D, which of the settings has ``threads`` alone.
+    (n, 3) it becomes a Population3D, which of the settings has ``changes`` and ``threads``.
 
     Arrays have a row for each point: row k is the point ``ids[k]``. So ``population.ids[population.edges]`` has the
     edges by ids. Rows change when points come or go.

@@ -13,8 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import as_integer, as_list, as_rows, given, number_of_processors
+from ._changes import ChangedEdges, ChangedEdgesByIds, checked_changes
 from ._checkpoints import Checkpoints
 from ._core import Group, UpdateReport3D
+from ._places import Places
 from ._rows import Rows, ScipyNames
 from .errors import InputValueError
 
@@ -62,10 +64,11 @@ def _sides(box: ArrayLike) -> list[float]:
     return [float(side) for side in sides]
 
 
-class _InSpace(ScipyNames, Checkpoints, Rows, _core.Triangulation3D):
+class _InSpace(ScipyNames, Checkpoints, Places, Rows, _core.Triangulation3D):
     """What triangulations in space have in common."""
 
     _settings: dict[str, Any]
+    _coordinates = 3
 
     def __new__(cls: type[Self], *_arguments: Any, **_named: Any) -> Self:
         self = super().__new__(cls)
@@ -74,7 +77,8 @@ class _InSpace(ScipyNames, Checkpoints, Rows, _core.Triangulation3D):
 
     def _init(self, settings: dict[str, Any]) -> None:
         threads = as_integer("threads", settings["threads"], 2**31)
-        self._start(threads or number_of_processors(), isinstance(self, Population3D))
+        settings = dict(threads=threads, changes=checked_changes(settings["changes"]))
+        self._start(threads or number_of_processors(), settings["changes"], self._has_user_ids)
         self._settings = settings
 
     @property
@@ -146,7 +150,7 @@ def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> 
     return triangulation
 
 
-class DynamicDelaunay3D(_InSpace):
+class DynamicDelaunay3D(ChangedEdges, _InSpace):
     """The Delaunay triangulation of moving points in space, which ``DynamicDelaunay(points)`` makes of points (n, 3).
 
     Points have the ids 0, 1, 2, ... in the order in which they are given, and keep them; the id of a removed point is
@@ -156,6 +160,8 @@ class DynamicDelaunay3D(_InSpace):
     ----------
     points : array_like, float (n, 3)
         x, y and z of each point. Any strided array of float64 is read in place, other numbers are converted first.
+    changes : bool
+        Whether to record created and removed edges. That costs time for each tetrahedron that changes.
     threads : int
         Threads that share the work; 0 for all.
 
@@ -164,8 +170,8 @@ class DynamicDelaunay3D(_InSpace):
     of one object wait for each other. Do not write to an array while it is read.
     """
 
-    def __init__(self, points: Optional[ArrayLike] = None, *, threads: int = 1) -> None:
-        self._init(dict(threads=threads))
+    def __init__(self, points: Optional[ArrayLike] = None, *, changes: bool = False, threads: int = 1) -> None:
+        self._init(dict(changes=changes, threads=threads))
         if points is not None:
             self._insert(points, None)
 
@@ -187,20 +193,28 @@ class DynamicDelaunay3D(_InSpace):
         return self._move(as_list(ids), as_rows(points, 3))
 
 
-class Population3D(_InSpace):
+class Population3D(ChangedEdgesByIds, _InSpace):
     """The Delaunay triangulation of points in space that come and go, by any integers of 64 bits as ids, which
     ``Population(ids, points)`` makes of points (n, 3).
 
     Arrays have a row for each point: row k is the point ``ids[k]``. So ``population.ids[population.edges]`` has the
     edges by ids. Rows change when points come or go.
 
-    Parameters are the ids, int (n,), the points, float (n, 3), and the threads of DynamicDelaunay3D.
+    Parameters are the ids, int (n,), the points, float (n, 3), and those of DynamicDelaunay3D. With ``changes=True``
+    each call also looks up all ids.
     """
 
+    _has_user_ids = True
+
     def __init__(
-        self, ids: Optional[ArrayLike] = None, points: Optional[ArrayLike] = None, *, threads: int = 1
+        self,
+        ids: Optional[ArrayLike] = None,
+        points: Optional[ArrayLike] = None,
+        *,
+        changes: bool = False,
+        threads: int = 1,
     ) -> None:
-        self._init(dict(threads=threads))
+        self._init(dict(changes=changes, threads=threads))
         if ids is not None or points is not None:
             self._update(given("points", points), given("ids", ids))
 

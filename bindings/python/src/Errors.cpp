@@ -64,7 +64,7 @@ void translate_refusal(const std::exception_ptr& exception)
     set_error("InputIndexError", error.what());
   } catch (const Use_error& error) {
     set_error("UseError", error.what());
-  } catch (const No_cells_error& error) {
+  } catch (const Untold_error& error) {
     set_error("UncertifiedTriangulationError", error.what());
   } catch (const scenario::Scenario_error& error) {
     using namespace py::literals;

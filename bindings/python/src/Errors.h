@@ -17,13 +17,20 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+// What is asked for in space is not there after a call for which memory did not suffice.
+class Untold_error : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 // Cells in space are asked for after a call that has left none.
-class No_cells_error : public std::runtime_error
+class No_cells_error : public Untold_error
 {
 public:
   No_cells_error()
-    : std::runtime_error("there are no cells, since memory did not suffice for the last call: call "
-                         "mend(); points, ids and duplicates can be read as they are")
+    : Untold_error("there are no cells, since memory did not suffice for the last call: call "
+                   "mend(); points, ids and duplicates can be read as they are")
   {
   }
 };

@@ -18,6 +18,8 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
+#include <string>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -25,8 +27,8 @@
 namespace python {
 
 // A triangulation that Python holds, and the arrays that were made of it. All work is done without
-// the interpreter's lock, and by one thread at a time. The subject has `arrays(group)`, and its
-// `Report` says what a change did.
+// the interpreter's lock, and by one thread at a time. The subject is derived from `Subject_base`;
+// its `dimension` is that of positions.
 template <class Its_subject>
 class Guarded_subject
 {
@@ -74,6 +76,58 @@ public:
     return false;
   }
 
+  Report move(const pybind11::object& ids, const pybind11::object& points)
+  {
+    const Input its_points = positions_input(points);
+    const Input its_ids = ids_input(ids, its_points.rows.size);
+    check(its_ids.rows);
+    return change(
+        [&](Its_subject& its_subject) { return its_subject.move(its_ids.rows, its_points.rows); });
+  }
+
+  pybind11::array insert(const pybind11::object& points, const pybind11::object& ids)
+  {
+    const Input its_points = positions_input(points), its_ids = input_of_ids(ids, its_points);
+    check_number(its_points.rows);
+    std::vector<std::int64_t> new_ids;
+    change([&](Its_subject& its_subject) {
+      return its_subject.insert(its_ids.rows, its_points.rows, new_ids);
+    });
+    return to_numpy({std::move(new_ids)});
+  }
+
+  Report remove(const pybind11::object& ids)
+  {
+    const Input its_ids = ids_input(ids);
+    check_number(its_ids.rows);
+    check(its_ids.rows);
+    return change([&](Its_subject& its_subject) { return its_subject.remove(its_ids.rows); });
+  }
+
+  Report mend()
+  {
+    return change([](Its_subject& its_subject) { return its_subject.mend(); });
+  }
+
+  void restore(const pybind11::bytes& checkpoint)
+  {
+    const std::string text = checkpoint;
+    change([&](Its_subject& its_subject) {
+      its_subject.restore(text);
+      Report report;
+      report.certified = its_subject.is_certified();
+      return report;
+    });
+  }
+
+  pybind11::tuple answer(Query query, const pybind11::object& query_points, double extent)
+  {
+    const Input input = points_input(query_points, "query points", Its_subject::dimension);
+    return to_numpy(read([&](const Its_subject& its_subject) {
+      return its_subject.answer({query, input.rows, extent});
+    }));
+  }
+
   Report last_report() const { return m_report; }
 
 protected:
@@ -114,14 +168,13 @@ protected:
     return m_report;
   }
 
-  void check_not_negative(const Rows& ids) const
+  static Input positions_input(const pybind11::object& points)
   {
-    for (std::size_t i = 0; i < ids.size; ++i) {
-      const std::int64_t id = ids.at<std::int64_t>(i, 0);
-      if (id < 0) {
-        throw_unknown_id(id, subject().number_of_ids());
-      }
-    }
+    return points_input(points, "points", Its_subject::dimension);
+  }
+  Input input_of_ids(const pybind11::object& ids, const Input& points) const
+  {
+    return subject().is_population() ? ids_input(ids, points.rows.size) : Input{};
   }
 
   int visit_arrays(visitproc visit, void* arg) const
@@ -134,6 +187,29 @@ protected:
   void clear_arrays() { m_cache = {}; }
 
 private:
+  // Those that are not the user's are not negative.
+  void check(const Rows& ids) const
+  {
+    if (subject().is_population()) {
+      return;
+    }
+    for (std::size_t i = 0; i < ids.size; ++i) {
+      const std::int64_t id = ids.at<std::int64_t>(i, 0);
+      if (id < 0) {
+        throw_unknown_id(id, subject().number_of_ids());
+      }
+    }
+  }
+
+  // Of points that come or go.
+  void check_number(const Rows& rows) const
+  {
+    if (Its_subject::changes_singly && subject().is_population() && rows.size != 1) {
+      throw std::invalid_argument("a population inserts and removes one point at a time; update() "
+                                  "takes a whole frame");
+    }
+  }
+
   struct Cached
   {
     pybind11::tuple arrays{pybind11::reinterpret_steal<pybind11::tuple>(pybind11::handle())};

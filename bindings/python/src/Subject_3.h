@@ -4,8 +4,10 @@
 #ifndef PYTHON_SUBJECT_3_H
 #define PYTHON_SUBJECT_3_H
 
-#include "bindings/common/Array_numbers.h"
 #include "bindings/common/Checkpoint_end.h"
+#include "bindings/common/Found_points.h"
+#include "bindings/common/Owning_subject.h"
+#include "bindings/common/Recorded_changes.h"
 #include "bindings/common/Row_iterator.h"
 #include "bindings/common/Subject.h"
 #include "bindings/python/src/Cell_arrays_3.h"
@@ -13,7 +15,9 @@
 #include "scenario_runner/Threads.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_point_queries_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_population_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Edge_changes_visitor_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <cstddef>
@@ -28,135 +32,84 @@
 
 namespace python {
 
-// A triangulation of points in space, as Python uses it, or a population. The ids of a population
-// are the user's, and its arrays speak of rows, which are the places in `Group::IDS`. Else the rows
-// are the ids.
-class Subject_3
+// A triangulation of points in space, as Python uses it, or a population.
+class Subject_3 : public Subject_base<CGAL::Update_report_3>
 {
-  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-
 public:
-  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_3<Kernel, run::Concurrency_tag>;
-  using Report = CGAL::Update_report_3;
+  static constexpr int dimension = 3;
+  static constexpr bool changes_singly = false;
 
-  virtual ~Subject_3() = default;
-  Subject_3& operator=(const Subject_3&) = delete;
   virtual std::unique_ptr<Subject_3> copy() const = 0;
 
-  virtual bool is_population() const = 0;
-  virtual const Dynamic& triangulation() const = 0;
-  virtual bool has_id(std::int64_t id) const = 0;
-
   virtual Report update(const Rows& ids, const Rows& points) = 0;
-  virtual Report move(const Rows& ids, const Rows& points) = 0;
-  // Tells new ids where they are not the user's.
-  virtual Report insert(const Rows& ids, const Rows& points,
-                        std::vector<std::int64_t>& new_ids) = 0;
-  virtual Report remove(const Rows& ids) = 0;
-  virtual Report mend() = 0;
 
-  virtual std::string checkpoint() const = 0;
-  virtual void restore(const std::string& checkpoint) = 0;
-
-  std::size_t number_of_ids() const { return triangulation().number_of_ids(); }
-
-  std::vector<Array> arrays(Group group) const
-  {
-    switch (group) {
-    case Group::IDS:
-      return {id_array(triangulation(), [this](std::size_t id) { return shown_id(id); })};
-    case Group::POINTS:
-      return {point_array_3(triangulation(), rows())};
-    case Group::DUPLICATES:
-      return {{duplicate_pairs_3(triangulation(), rows()), {2}}};
-    case Group::EDGES:
-      return {edge_array_3(certified(), rows())};
-    case Group::TRIANGLES: // here tetrahedra
-      return simplex_arrays_3(certified(), rows());
-    case Group::NEIGHBOR_LISTS:
-      return neighbor_list_arrays_3(certified(), rows());
-    default:
-      throw std::invalid_argument("there are no such arrays of points in space");
-    }
-  }
-  Array volumes() const { return volume_array_3(certified()); }
-  std::vector<Array> voronoi_cells(const CGAL::Bbox_3* box) const
-  {
-    return voronoi_arrays_3(certified(), rows(), box);
-  }
-
-protected:
-  Subject_3() = default;
-  Subject_3(const Subject_3&) = default;
-
-private:
-  virtual std::int64_t shown_id(std::size_t id) const = 0;
-
-  const Dynamic& certified() const
-  {
-    if (!triangulation().is_certified()) {
-      throw No_cells_error();
-    }
-    return triangulation();
-  }
-  Row_numbers rows() const { return Row_numbers(triangulation(), is_population()); }
+  virtual int dimension_of_points() const = 0;
+  virtual Array volumes() const = 0;
+  virtual std::vector<Array> voronoi_cells(const CGAL::Bbox_3* box) const = 0;
 };
 
-template <bool has_user_ids>
-class Subject_of_3 : public Subject_3
+// Of edges alone: facets, which Python is not shown, would take twice as much memory.
+class Edges_alone_visitor_3 : public CGAL::Edge_changes_visitor_3
 {
-  using Owner = std::conditional_t<has_user_ids, CGAL::Dynamic_population_3<Dynamic>, Dynamic>;
-  using Point = Dynamic::Point;
+public:
+  template <class Dynamic>
+  void after_facet_removal(const Dynamic&, const Facet&)
+  {
+  }
+  template <class Dynamic>
+  void after_facet_creation(const Dynamic&, const Facet&)
+  {
+  }
+};
+
+template <class Visitor>
+using Dynamic_3 =
+    CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel,
+                                           run::Concurrency_tag, Visitor>;
+template <class Dynamic, bool has_user_ids>
+using Owning_subject_3 =
+    Owning_subject<Subject_3, Dynamic,
+                   std::conditional_t<has_user_ids, CGAL::Dynamic_population_3<Dynamic>, void>>;
+
+template <class Dynamic, bool has_user_ids>
+class Subject_of_3 : public Owning_subject_3<Dynamic, has_user_ids>
+{
+  using Base = Owning_subject_3<Dynamic, has_user_ids>;
+  using Base::dt, Base::identified, Base::owner, Base::points_missing_in, Base::positions,
+      Base::rows, Base::with_leaving;
+  using typename Base::Leaving;
+  using typename Base::Point;
 
 public:
+  using typename Base::Report;
+
+  Subject_of_3()
+    : Base(Dynamic())
+  {
+  }
   std::unique_ptr<Subject_3> copy() const override { return std::make_unique<Subject_of_3>(*this); }
-
-  bool is_population() const override { return has_user_ids; }
-
-  const Dynamic& triangulation() const override
-  {
-    if constexpr (has_user_ids) {
-      return m_owner.triangulation();
-    } else {
-      return m_owner;
-    }
-  }
-
-  bool has_id(std::int64_t id) const override
-  {
-    if constexpr (has_user_ids) {
-      return m_owner.has(id);
-    } else {
-      return m_owner.has_id(std::size_t(id));
-    }
-  }
 
   Report update(const Rows& ids, const Rows& points) override
   {
     if constexpr (has_user_ids) {
-      return m_owner.update(identified(ids, points));
+      return with_leaving([&] { return points_missing_in(ids); },
+                          [&] { return owner().update(identified(ids, points)); });
     } else if (const Point* const first = points_in_memory<Point>(points)) {
-      return m_owner.update(first, first + points.size);
+      return owner().update(first, first + points.size);
     } else {
-      return m_owner.update(positions(points));
+      return owner().update(positions(points));
     }
-  }
-
-  Report move(const Rows& ids, const Rows& points) override
-  {
-    const auto movers = identified(ids, points);
-    return m_owner.move(movers.begin(), movers.end());
   }
 
   Report insert(const Rows& ids, const Rows& points, std::vector<std::int64_t>& new_ids) override
   {
     if constexpr (has_user_ids) {
-      return m_owner.insert(identified(ids, points));
+      return owner().insert(identified(ids, points));
     } else {
       const auto newcomers = positions(points);
       std::vector<std::size_t> given;
       const Report report =
-          m_owner.insert(newcomers.begin(), newcomers.end(), std::back_inserter(given));
+          owner().insert(newcomers.begin(), newcomers.end(), std::back_inserter(given));
       new_ids.assign(given.begin(), given.end());
       return report;
     }
@@ -165,15 +118,72 @@ public:
   Report remove(const Rows& ids) override
   {
     const auto gone = row_range(ids.size, Read_id{ids});
-    return m_owner.remove(gone.begin(), gone.end());
+    const auto remove = [&] { return owner().remove(gone.begin(), gone.end()); };
+    if constexpr (has_user_ids) {
+      return with_leaving([&] { return points_of(ids); }, remove);
+    } else {
+      return remove();
+    }
   }
 
-  Report mend() override { return m_owner.mend(); }
+  // A visitor is not told of what `mend()` does itself, but of a call that changes no point.
+  Report mend() override
+  {
+    return dt().is_certified() && !is_untold() ? owner().mend() : remove(Rows());
+  }
+
+  bool is_valid() const override { return dt().is_valid(); }
+  int dimension_of_points() const override { return dt().dimension(); }
+
+  std::vector<Array> arrays(Group group) const override
+  {
+    switch (group) {
+    case Group::IDS:
+      return Base::ids();
+    case Group::POINTS:
+      return {point_array_3(dt(), rows())};
+    case Group::DUPLICATES:
+      return {{duplicate_pairs_3(dt(), rows()), {2}}};
+    case Group::EDGES:
+      return {edge_array_3(certified(), rows())};
+    case Group::TRIANGLES: // here tetrahedra
+      return simplex_arrays_3(certified(), rows());
+    case Group::NEIGHBOR_LISTS:
+      return neighbor_list_arrays_3(certified(), rows());
+    case Group::CHANGES:
+      if (is_untold()) {
+        throw Untold_error("what has changed is not known yet, since memory did not suffice for "
+                           "the last call: call mend()");
+      }
+      return Base::changes();
+    default:
+      throw std::invalid_argument("there are no such arrays of points in space");
+    }
+  }
+  Array volumes() const override { return volume_array_3(certified()); }
+  std::vector<Array> voronoi_cells(const CGAL::Bbox_3* box) const override
+  {
+    return voronoi_arrays_3(certified(), rows(), box);
+  }
+
+  std::vector<Array> answer(const Question& question) const override
+  {
+    using Queries = CGAL::Delaunay_point_queries_3<Dynamic>;
+    const auto query_points = positions(question.query_points);
+    switch (question.query) {
+    case Query::NEAREST:
+      return nearest_arrays<Queries>(certified(), rows(), query_points);
+    case Query::WITHIN:
+      return within_arrays<Queries>(certified(), rows(), query_points, question.extent);
+    default:
+      throw std::invalid_argument("there are no such queries of points in space");
+    }
+  }
 
   std::string checkpoint() const override
   {
     std::ostringstream out;
-    m_owner.write_checkpoint(out);
+    owner().write_checkpoint(out);
     return out.str();
   }
 
@@ -181,30 +191,60 @@ public:
   {
     check_end(checkpoint);
     std::istringstream in(checkpoint);
-    m_owner.read_checkpoint(in);
-  }
-
-private:
-  std::int64_t shown_id(std::size_t id) const override
-  {
+    const auto read = [&] { owner().read_checkpoint(in); };
     if constexpr (has_user_ids) {
-      return m_owner.user_id(id);
+      with_leaving([&] { return points_missing_in(Rows()); }, read);
     } else {
-      return std::int64_t(id);
+      read();
     }
   }
 
-  static auto positions(const Rows& points)
+private:
+  const Dynamic& certified() const
   {
-    return row_range(points.size, Read_point<Point>{points});
-  }
-  static auto identified(const Rows& ids, const Rows& points)
-  {
-    return row_range(points.size, Read_identified_point<Point>{ids, points});
+    if (!dt().is_certified()) {
+      throw No_cells_error();
+    }
+    return dt();
   }
 
-  Owner m_owner;
+  // Whether the last call has failed before a visitor was told of all that it has changed.
+  bool is_untold() const
+  {
+    if constexpr (Base::is_recording) {
+      return owner().visitor().is_in_update();
+    } else {
+      return false;
+    }
+  }
+
+  // Throws as a removal does if one is not there.
+  Leaving points_of(const Rows& ids) const
+  {
+    Leaving leaving;
+    for (std::size_t i = 0; i < ids.size; ++i) {
+      const std::int64_t user_id = Read_id{ids}(i);
+      leaving.push_back({owner().id(user_id), user_id});
+    }
+    return leaving;
+  }
 };
+
+// Without points; and without a visitor if it has nothing to record.
+inline std::unique_ptr<Subject_3> make_subject_3(bool records_changes, bool is_population)
+{
+  const auto make = [&](auto visitor) -> std::unique_ptr<Subject_3> {
+    using Dynamic = Dynamic_3<decltype(visitor)>;
+    if (is_population) {
+      return std::make_unique<Subject_of_3<Dynamic, true>>();
+    }
+    return std::make_unique<Subject_of_3<Dynamic, false>>();
+  };
+  if (records_changes) {
+    return make(Recorded_changes<Edges_alone_visitor_3>());
+  }
+  return make(CGAL::Delaunay_update_visitor_base_3());
+}
 
 } // namespace python
 

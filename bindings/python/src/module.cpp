@@ -6,6 +6,7 @@
 #include "bindings/python/src/Bounded_cells_in_python.h"
 #include "bindings/python/src/Errors.h"
 #include "bindings/python/src/Function_in_python.h"
+#include "bindings/python/src/Guarded_methods.h"
 #include "bindings/python/src/Guarded_subject.h"
 #include "bindings/python/src/Numpy.h"
 #include "bindings/python/src/Python_settings.h"
@@ -64,48 +65,6 @@ public:
                 its_ids = input_of_ids(ids, its_points);
     return change(
         [&](Subject& subject) { return subject.update(its_ids.rows, its_points.rows, cell); });
-  }
-
-  Report move(const py::object& ids, const py::object& points)
-  {
-    const Input its_points = points_input(points);
-    const Input its_ids = ids_input(ids, its_points.rows.size);
-    check(its_ids.rows);
-    return change([&](Subject& subject) { return subject.move(its_ids.rows, its_points.rows); });
-  }
-
-  py::array insert(const py::object& points, const py::object& ids)
-  {
-    const Input its_points = points_input(points), its_ids = input_of_ids(ids, its_points);
-    check_single(its_points.rows);
-    std::vector<std::int64_t> new_ids;
-    change(
-        [&](Subject& subject) { return subject.insert(its_ids.rows, its_points.rows, new_ids); });
-    return to_numpy({std::move(new_ids)});
-  }
-
-  Report remove(const py::object& ids)
-  {
-    const Input its_ids = ids_input(ids);
-    check_single(its_ids.rows);
-    check(its_ids.rows);
-    return change([&](Subject& subject) { return subject.remove(its_ids.rows); });
-  }
-
-  Report mend()
-  {
-    return change([](Subject& subject) { return subject.mend(); });
-  }
-
-  void restore(const py::bytes& checkpoint)
-  {
-    const std::string text = checkpoint;
-    change([&](Subject& subject) {
-      subject.restore(text);
-      Report report;
-      report.certified = subject.is_certified();
-      return report;
-    });
   }
 
   py::array find_simplex(const py::object& query_points)
@@ -171,14 +130,6 @@ public:
     }));
   }
 
-  py::tuple answer(Query query, const py::object& query_points, double extent)
-  {
-    const Input input = points_input(query_points, "query points");
-    return to_numpy(read([&](const Subject& subject) {
-      return subject.answer({query, input.rows, extent});
-    }));
-  }
-
   // For the garbage collector: a classifier may refer to its triangulation.
   int visit_objects(visitproc visit, void* arg) const
   {
@@ -206,26 +157,6 @@ private:
       corners.pop_back(); // a ring that is closed
     }
     return corners;
-  }
-
-  Input input_of_ids(const py::object& ids, const Input& points) const
-  {
-    return subject().is_population() ? ids_input(ids, points.rows.size) : Input{};
-  }
-
-  void check_single(const Rows& rows) const
-  {
-    if (subject().is_population() && rows.size != 1) {
-      throw std::invalid_argument("a population inserts and removes one point at a time; update() "
-                                  "takes a whole frame");
-    }
-  }
-
-  void check(const Rows& ids) const
-  {
-    if (!subject().is_population()) {
-      check_not_negative(ids);
-    }
   }
 
   Shared_reference m_function; // the classifier, if it is written in Python
@@ -271,15 +202,6 @@ void let_garbage_be_collected(PyHeapTypeObject* heap_type)
   };
 }
 
-// A call that asks the subject.
-template <class Answer>
-auto asking(Answer (Subject::*question)() const)
-{
-  return [=](Triangulation& triangulation) {
-    return triangulation.read([&](const Subject& subject) { return (subject.*question)(); });
-  };
-}
-
 void bind_triangulation(py::module_& module)
 {
   py::enum_<Group>(module, "Group")
@@ -308,25 +230,15 @@ void bind_triangulation(py::module_& module)
                                return std::array<double, 4>{c.ax, c.ay, c.bx, c.by};
                              })
       .def_readonly("is_slab", &Cell::is_slab);
-  py::class_<Triangulation>(module, "Triangulation",
-                            py::custom_type_setup(let_garbage_be_collected))
-      .def(py::init<>())
+  py::class_<Triangulation> type(module, "Triangulation",
+                                 py::custom_type_setup(let_garbage_be_collected));
+  type.def(py::init<>())
       .def("_start", &Triangulation::start, py::arg("classifier"), py::arg("repair"),
            py::arg("policy"), py::arg("threads"), py::arg("seed"), py::arg("changes"),
            py::arg("population"), py::arg("cell"))
       .def("_update", &Triangulation::update)
-      .def("_move", &Triangulation::move)
-      .def("_insert", &Triangulation::insert)
-      .def("_remove", &Triangulation::remove)
-      .def("_restore", &Triangulation::restore)
-      .def("_arrays", &Triangulation::arrays)
       .def("_find_simplex", &Triangulation::find_simplex)
-      .def("_is_current", &Triangulation::is_current)
-      .def("_cell", asking(&Subject::cell))
-      .def("_checkpoint",
-           [](Triangulation& t) {
-             return py::bytes(t.read([](const Subject& subject) { return subject.checkpoint(); }));
-           })
+      .def("_cell", asking<Triangulation>([](const Subject& subject) { return subject.cell(); }))
       .def("_clipped_cells",
            [](Triangulation& t, double xmin, double ymin, double xmax, double ymax) {
              return to_numpy(t.read([&](const Subject& subject) {
@@ -335,39 +247,13 @@ void bind_triangulation(py::module_& module)
            })
       .def("_bounded_cells", &Triangulation::bounded_cells)
       .def("_bounded_gradients", &Triangulation::bounded_gradients)
-      .def("_answer", &Triangulation::answer)
-      .def("_cell_corners",
-           [](Triangulation& t, std::int64_t id) {
-             return to_numpy(t.read([&](const Subject& s) { return s.cell_corners(id); }));
-           })
-      .def("_has_id",
-           [](Triangulation& t, std::int64_t id) {
-             return t.read([&](const Subject& subject) { return subject.has_id(id); });
-           })
-      .def("mend", &Triangulation::mend,
-           "Make the triangulation exactly Delaunay after a heuristic update, and return a "
-           "report.\n\n"
-           "Does nothing if it is certified.")
-      .def(
-          "certify",
-          [](Triangulation& t) {
-            return t.read([](Subject& subject) { return subject.certify(); });
-          },
-          "Test by exact predicates whether the triangulation is Delaunay, and certify it if "
-          "so.\n\n"
-          "Cost: one pass over the edges; none if it is certified.")
-      .def("is_valid", asking(&Subject::is_valid),
-           "Whether everything is as it must be, tested exactly. For tests. Cost: linear.")
-      .def_property_readonly("last_report", &Triangulation::last_report,
-                             "UpdateReport: what the last call that changed something did.")
-      .def_property_readonly("is_certified", asking(&Subject::is_certified),
-                             "bool: whether exact predicates have proved it Delaunay.")
-      .def_property_readonly("number_of_points", asking(&Subject::number_of_points),
-                             "int: points, coincident ones included.")
-      .def_property_readonly("number_of_ids", asking(&Subject::number_of_ids),
-                             "int: one more than the largest id ever in use.")
-      .def_property_readonly("number_of_vertices", asking(&Subject::number_of_vertices),
-                             "int: places that differ.");
+      .def("_cell_corners", [](Triangulation& t, std::int64_t id) {
+        return to_numpy(t.read([&](const Subject& s) { return s.cell_corners(id); }));
+      });
+  bind_guarded(type, "UpdateReport",
+               "Make the triangulation exactly Delaunay after a heuristic update, and return a "
+               "report.\n\n"
+               "Does nothing if it is certified.");
 }
 
 } // namespace
