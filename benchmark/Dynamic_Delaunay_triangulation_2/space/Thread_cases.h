@@ -1,0 +1,118 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SPACE_THREAD_CASES_H
+#define SPACE_THREAD_CASES_H
+
+#include "../common/Statistics.h"
+#include "../common/Table.h"
+#include "scenario_runner/Measurement.h"
+#include "scenario_runner/Threads.h"
+#include "Space_points.h"
+#include "Static_ways.h"
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/task_arena.h>
+#endif
+
+#include <cstddef>
+#include <iostream>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace space {
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+inline unsigned most_threads()
+{
+  return unsigned(tbb::this_task_arena::max_concurrency());
+}
+
+// The same frames for one triangulation, in bursts: one update right after the other, as in a
+// program that does nothing else.
+template <class Concurrency_tag>
+class Followed_burst
+{
+public:
+  Followed_burst(const Points& points, unsigned threads)
+    : m_threads(threads)
+    , m_dynamic(m_threads.execute([&] { return Triangulation(points); }))
+  {
+  }
+
+  void follow(const std::vector<Points>& frames)
+  {
+    for (const Points& points : frames) {
+      const double time = run::nanoseconds_of(
+          [&] { m_threads.execute([&] { m_report = m_dynamic.update(points); }); });
+      if (&points != &frames.front()) { // which finds everything cold
+        m_times.push_back(time / double(points.size()));
+      }
+    }
+  }
+
+  const std::vector<double>& times() const { return m_times; }
+  const CGAL::Update_report_3& report() const { return m_report; }
+  const auto& triangulation() const { return m_dynamic; }
+
+private:
+  using Triangulation = CGAL::Dynamic_Delaunay_triangulation_3<Kernel, Concurrency_tag>;
+
+  run::Threads m_threads;
+  Triangulation m_dynamic;
+  CGAL::Update_report_3 m_report;
+  std::vector<double> m_times;
+};
+
+inline common::Table thread_table()
+{
+  return common::Table(std::cout, 24,
+                       {{"sequential", 12, 0},
+                        {"one", 9, 0},
+                        {"threads", 9, 0},
+                        {"worst", 9, 0},
+                        {"/one", 9, 2},
+                        {"/sequential", 13, 2}});
+}
+
+inline void write_threads(common::Table& table, std::size_t n, double step, unsigned threads,
+                          int frames)
+{
+  constexpr std::size_t burst = 5;
+  std::mt19937_64 random(1);
+  Points points = points_of("poisson", n, random);
+  Followed_burst<CGAL::Sequential_tag> sequential(points, 1);
+  Followed_burst<CGAL::Parallel_tag> one(points, 1), all(points, threads);
+  for (int frame = 0; frame < frames; frame += int(burst) - 1) {
+    std::vector<Points> next;
+    for (std::size_t i = 0; i != burst; ++i) {
+      move("poisson", step, points, random);
+      next.push_back(points);
+    }
+    sequential.follow(next);
+    one.follow(next);
+    all.follow(next);
+  }
+  for (const std::size_t flips : {one.report().flips, all.report().flips}) {
+    if (flips != sequential.report().flips) {
+      throw std::runtime_error("threads have done something else");
+    }
+  }
+  check(all.triangulation(), points);
+  table.write_row("  poisson " + common::cell(step, 4), common::median(sequential.times()),
+                  common::median(one.times()), common::median(all.times()),
+                  common::largest(all.times()), common::median_ratio(one.times(), all.times()),
+                  common::median_ratio(sequential.times(), all.times()));
+}
+
+#endif // CGAL_LINKED_WITH_TBB
+
+} // namespace space
+
+#endif // SPACE_THREAD_CASES_H
