@@ -127,12 +127,18 @@ private:
   // Finds the filling cell at each facet of the border. Where there is none, the hole has to grow.
   bool match_border()
   {
+    m_border_at.assign(4 * std::size_t(m_filling.number_of_cells()), nullptr);
     for (Cell_index c(0); c < m_filling.number_of_cells(); ++c)
       for (int i = 0; i < 4; ++i) {
-        const Corner_index k = Arrays::corner(c, i);
+        const Corner_index k = Arrays::corner(c, i), mirror = m_filling.mirror(k);
+        if (mirror < k)
+          continue;
         if (Border* const border = find_facet(facet_of(m_filling, k)))
-          if (are_on_same_side(k, border->inside))
-            border->filling = c;
+          for (const Corner_index side : {k, mirror}) {
+            m_border_at[side] = border;
+            if (are_on_same_side(side, border->inside))
+              border->filling = Arrays::cell_of(side);
+          }
       }
     for (const Border& border : m_border)
       if (border.filling == null_index)
@@ -172,7 +178,7 @@ private:
         return false; // it leaks
       for (int i = 0; i < 4; ++i) {
         const Corner_index k = Arrays::corner(m_inside[n], i);
-        if (find_facet(facet_of(m_filling, k)) != nullptr)
+        if (m_border_at[k] != nullptr)
           ++met;
         else
           add(Arrays::cell_of(m_filling.mirror(k)));
@@ -215,7 +221,7 @@ private:
     for (const Cell_index c : m_inside)
       for (int i = 0; i < 4; ++i) {
         const Corner_index k = Arrays::corner(c, i), mirror = m_filling.mirror(k);
-        const Border* const border = find_facet(facet_of(m_filling, k));
+        const Border* const border = m_border_at[k];
         arrays().connect(Arrays::corner(m_number[c], i),
                          border != nullptr ? border->outside
                                            : Arrays::corner(m_number[Arrays::cell_of(mirror)],
@@ -233,6 +239,7 @@ private:
   Vertex_insertion_3<State> m_filling_insertion;
   std::vector<Cell_index> m_hole, m_growth, m_inside;
   std::vector<Border> m_border;
+  Column<Corner_index, Border*> m_border_at; // of corners of the filling: what is opposite, or null
   std::vector<Vertex_index> m_around;
   Column<Cell_index, Cell_index> m_number;
   bool m_reaches_infinity = false;
