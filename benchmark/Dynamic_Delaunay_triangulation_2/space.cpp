@@ -55,7 +55,7 @@ struct Options
 {
   std::vector<std::size_t> points{10000, 100000};
   std::vector<double> steps{0.0001, 0.001, 0.01, 0.03, 0.1};
-  std::vector<double> shares{0.01, 0.05, 0.1, 0.2};
+  std::vector<double> shares{0.01, 0.05, 0.08, 0.1, 0.2};
   std::vector<std::string> kinds{"poisson", "lattice", "ball",  "exact_lattice", "slab",
                                  "drift",   "streams", "jumps", "population",    "threads"};
   unsigned threads = 0; // all
@@ -78,7 +78,7 @@ void add_options(CLI::App& app, Options& options)
                      CLI::Range(10, 100'000'000));
   common::add_option(app, "--steps", options.steps, "S...", "in spacings", CLI::Range(0.0, 1e3));
   common::add_option(app, "--shares", options.shares, "S...",
-                     "of a population that leave in a frame; default 0.01 0.05 0.1 0.2",
+                     "of a population that leave in a frame; default 0.01 0.05 0.08 0.1 0.2",
                      CLI::Range(0.0, 1.0));
   common::add_option(app, "--kinds", options.kinds, "KIND...", "default: all",
                      CLI::IsMember(options.kinds));
