@@ -323,7 +323,7 @@ private:
     double square = query.rounded_squared_distance(nearest);
     if (square <= 16 * squared_edge_length(query, nearest))
       return nearest; // some four steps away
-    // a visit takes a sixtieth of the time of a step: some 10 n^(1/4) visits
+    // if a visit takes about a sixtieth of the time of a step: some 10 n^(1/4) visits
     const Index step = 1 + Index(std::pow(double(bound), 0.75) / 10);
     for (Vertex_index v(1); v < bound; v += step)
       if (const double other = query.rounded_squared_distance(v); other < square) {

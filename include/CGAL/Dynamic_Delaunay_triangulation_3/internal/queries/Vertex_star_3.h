@@ -134,8 +134,8 @@ private:
   Cell_ring_3 m_ring;
 };
 
-// Visits the cells of vertices, one vertex after the other: a third of the time of `Vertex_star_3`,
-// which also knows the cells around each edge.
+// Visits the cells of vertices, one vertex after the other. It is for who needs no cells around
+// edges, as `Vertex_star_3` finds them by walking around each: here a cell is entered once.
 class Star_cells_3
 {
 public:
