@@ -224,9 +224,8 @@ Run_options parse_options(CLI::App& app, int argc, const char* const* argv)
              "\nHow to write one, and which recordings are read: "
              "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt");
   app.parse(argc, argv);
-  for (const char* const name :
-       {"--classifier", "--padding", "--repair", "--policy", "--engine", "--packing", "--svg",
-        "--html", "--radius", "--domain", "--cell-rule"}) {
+  for (const char* const name : {"--classifier", "--padding", "--repair", "--engine", "--packing",
+                                 "--svg", "--html", "--radius", "--domain", "--cell-rule"}) {
     if (app.count(name) != 0) {
       options.given_for_plane.emplace_back(name);
     }

@@ -228,7 +228,9 @@ int run_in_space(const run::Run_options& options, scenario::Motion_3& motion,
     throw std::invalid_argument(options.given_for_plane.front() +
                                 ": is for the plane, and the motion is in space");
   }
-  const run::Run_subject_3 subject{motion.name(), options.threads, motion.time_step(), facts.seed};
+  const run::Any_policy_3 policy = run::make_policy_3(options.policy);
+  const run::Run_subject_3 subject{motion.name(), options.policy, options.threads,
+                                   motion.time_step(), facts.seed};
   run::Run_summary_3 summary;
   {
     std::optional<run::Output_file> report;
@@ -237,7 +239,7 @@ int run_in_space(const run::Run_options& options, scenario::Motion_3& motion,
     }
     run::Outputs_3 outputs(options, frames);
     summary = run::Threads(options.threads).execute([&] {
-      run::Motion_run_3 run(motion);
+      run::Motion_run_3 run(motion, policy);
       return run_all(run, frames, outputs);
     });
     outputs.finish();

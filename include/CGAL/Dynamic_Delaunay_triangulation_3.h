@@ -9,8 +9,12 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_options_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_frame_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_triangulation_settings_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_reader_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_writer_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
@@ -102,19 +106,32 @@ to triangulate all points anew. Memory: some 280 bytes a point, from the first f
 \tparam Traits a CGAL kernel with exact predicates, such as
   `Exact_predicates_inexact_constructions_kernel`; where its coordinates are not doubles, floating
   point proves nothing for coordinates that are rounded, and exact predicates do everything.
-\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB: threads then share the
-  passes over all points and cells. Results do not depend on it.
-\tparam Visitor is told which edges and facets come and go, such as `Edge_changes_visitor_3`: has
-the functions of `Delaunay_update_visitor_base_3`, the default, which costs nothing.
+\tparam Options any of these, in any order:
+  - `With_concurrency_2<ConcurrencyTag>`: `Sequential_tag`, the default, or `Parallel_tag`, which
+    needs TBB: threads then share the passes over all points and cells. Results do not depend on it.
+  - `With_visitor_2<Visitor>`: is told which edges and facets come and go, such as
+    `Edge_changes_visitor_3`: has the functions of `Delaunay_update_visitor_base_3`, the default,
+    which costs nothing.
+  - `With_policy_2<UpdatePolicy>`, a model of `DelaunayUpdatePolicy_2`: says which frames are
+rebuilt at once, such as those in which a program knows that all is new. By default
+    `Always_dynamic_policy_2`.
 */
-template <class Traits, class ConcurrencyTag = Sequential_tag,
-          class Visitor = Delaunay_update_visitor_base_3>
+template <class Traits, class... Options>
 class Dynamic_Delaunay_triangulation_3
 {
+  static_assert(Dynamic_Delaunay_triangulations_3::internal::Options_check_3<Options...>::is_right);
+  template <template <class> class Kind, class Usual>
+  using Option =
+      typename Dynamic_Delaunay_triangulations_2::internal::Option_2<Kind, Usual, Options...>::type;
+  using ConcurrencyTag = Option<With_concurrency_2, Sequential_tag>;
+  using Visitor = Option<With_visitor_2, Delaunay_update_visitor_base_3>;
+  using Policy = Option<With_policy_2, Always_dynamic_policy_2>;
+
   friend Dynamic_Delaunay_triangulations_3::internal::Access_3;
   using State =
       Dynamic_Delaunay_triangulations_3::internal::Triangulation_state_3<Traits, ConcurrencyTag>;
   using Update = Dynamic_Delaunay_triangulations_3::internal::Update_3<State>;
+  using Chosen_rebuilds = typename Update::Chosen_rebuilds;
   using Input = Dynamic_Delaunay_triangulations_3::internal::Input_3<State>;
   using Change = Dynamic_Delaunay_triangulations_3::internal::Change_3<typename Traits::Point_3>;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
@@ -144,15 +161,23 @@ public:
   using size_type = std::size_t;
   /// whether work is shared among threads.
   using Concurrency_tag = ConcurrencyTag;
+  /// the policy and the visitor, in one object. A policy converts to it.
+  using Settings = Dynamic_triangulation_settings_3<Policy, Visitor>;
 
   /// @}
   /// \name Creation
   /// @{
 
-  /// creates an empty triangulation.
-  explicit Dynamic_Delaunay_triangulation_3(const Traits& traits = Traits(),
-                                            const Visitor& visitor = Visitor())
-    : m_core(std::make_unique<Core>(traits, visitor))
+  /// creates an empty triangulation, with the defaults of its policy and visitor.
+  Dynamic_Delaunay_triangulation_3()
+    : Dynamic_Delaunay_triangulation_3(Settings())
+  {
+  }
+
+  /// creates an empty triangulation with these settings, which may be a policy alone.
+  explicit Dynamic_Delaunay_triangulation_3(const Settings& settings,
+                                            const Traits& traits = Traits())
+    : m_core(std::make_unique<Core>(traits, settings))
   {
   }
 
@@ -165,30 +190,34 @@ public:
   /// \throws Point_limit_error_2 if there are more points than 32 bits allow: 134,217,727.
   template <class InputIterator>
   Dynamic_Delaunay_triangulation_3(InputIterator first, InputIterator beyond,
+                                   const Settings& settings = Settings(),
                                    const Traits& traits = Traits())
-    : Dynamic_Delaunay_triangulation_3(traits)
+    : Dynamic_Delaunay_triangulation_3(settings, traits)
   {
     insert(first, beyond);
   }
 
   /// triangulates the points of a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
-  explicit Dynamic_Delaunay_triangulation_3(const Range& range, const Traits& traits = Traits())
-    : Dynamic_Delaunay_triangulation_3(std::begin(range), std::end(range), traits)
+  explicit Dynamic_Delaunay_triangulation_3(const Range& range,
+                                            const Settings& settings = Settings(),
+                                            const Traits& traits = Traits())
+    : Dynamic_Delaunay_triangulation_3(std::begin(range), std::end(range), settings, traits)
   {
   }
 
   /// copies everything. From then on the same calls have the same results for both. Cost: linear.
   Dynamic_Delaunay_triangulation_3(const Dynamic_Delaunay_triangulation_3& other)
-    : m_core(std::make_unique<Core>(other.m_core->state.traits, other.visitor()))
+    : m_core(std::make_unique<Core>(other.m_core->state.traits, other.settings()))
   {
     m_core->state = other.m_core->state;
     m_core->changes = other.m_core->changes;
     m_core->kernel.take_over(other.m_core->kernel);
   }
-  /// takes everything from the other triangulation, and leaves it empty.
+  /// takes everything from the other triangulation, and leaves it empty, with copies of its policy
+  /// and its visitor.
   Dynamic_Delaunay_triangulation_3(Dynamic_Delaunay_triangulation_3&& other)
-    : m_core(std::make_unique<Core>(other.m_core->state.traits, Visitor()))
+    : m_core(std::make_unique<Core>(other.m_core->state.traits, other.settings()))
   {
     swap(other);
   }
@@ -215,12 +244,11 @@ public:
   /// triangulation. The range has one position for each id; positions for ids of removed points are
   /// ignored.
   ///
-  /// Nothing changes if it throws one of these, or if the range throws. If memory runs out later,
-  /// the points have their new positions and there are no cells until the next call.
-  /// \throws Point_count_error_2 if the number of positions is not `number_of_ids()`.
-  /// \throws Non_finite_coordinate_error_3 if a coordinate is NaN or infinite.
-  /// \throws Coordinate_range_error_3 if a coordinate is too large for this program.
-  /// \post `is_certified()`
+  /// Nothing changes if it throws one of these, or if the range or the policy throws. If memory
+  /// runs out later, the points have their new positions and there are no cells until the next
+  /// call. \throws Point_count_error_2 if the number of positions is not `number_of_ids()`. \throws
+  /// Non_finite_coordinate_error_3 if a coordinate is NaN or infinite. \throws
+  /// Coordinate_range_error_3 if a coordinate is too large for this program. \post `is_certified()`
   /// \tparam PointMap a model of `ReadablePropertyMap` from the range's values to `Point`; by
   ///   default the values are points.
   template <class InputIterator, class PointMap = Identity_map, class = If_map<PointMap>>
@@ -458,9 +486,11 @@ public:
   }
 
   /// @}
-  /// \name Visitor
+  /// \name Policy and Visitor
   /// @{
 
+  /// the update policy, a copy of the one in the settings.
+  const Policy& policy() const { return m_core->policy; }
   /// the visitor.
   const Visitor& visitor() const { return m_core->visitor; }
   /// the visitor, in order to read and clear what it has recorded.
@@ -551,7 +581,7 @@ public:
     write_file(out, checkpoint_subject, [](auto&) {});
   }
 
-  /// replaces everything but the visitor by what a file has.
+  /// replaces everything but the policy and the visitor by what a file has.
   ///
   /// The file is validated: each number and id has to occur exactly once, cells have to fit
   /// together, and exact predicates have to prove that they are a Delaunay triangulation of the
@@ -596,14 +626,16 @@ private:
   // Must not move in memory: its parts refer to each other.
   struct Core
   {
-    Core(const Traits& traits, const Visitor& given_visitor)
+    Core(const Traits& traits, const Settings& settings)
       : state(traits)
-      , visitor(given_visitor)
+      , policy(settings.policy)
+      , visitor(settings.visitor)
     {
     }
 
     State state;
     Update kernel{state};
+    Policy policy;
     Visitor visitor;
     std::conditional_t<is_watched, Changes, Nothing> changes;
   };
@@ -631,11 +663,19 @@ private:
     std::vector<Vertex_index> m_neighbors;
   };
 
+  Settings settings() const { return Settings(m_core->policy, m_core->visitor); }
+
   Update_report_3 run(const Change& change)
   {
     start_visit();
-    const Update_report_3 report = m_core->kernel.run(change);
+    return run_and_tell(change);
+  }
+  Update_report_3 run_and_tell(const Change& change)
+  {
+    const Update_report_3 report = m_core->kernel.run(change, Chosen_rebuilds(m_core->policy));
     finish_visit(report);
+    if (change.is_frame)
+      m_core->policy.after_update(m_core->kernel.frame(), report);
     return report;
   }
 
@@ -705,9 +745,7 @@ private:
     start_visit();
     m_core->kernel.reserve(change);
     coming_ids.swap(next_ids); // from here on, points that go do so before anything is thrown
-    const Update_report_3 report = m_core->kernel.run(change);
-    finish_visit(report);
-    return report;
+    return run_and_tell(change);
   }
 
   // Writes a checkpoint of this kind. `append` writes additional lines of the file.
@@ -733,7 +771,7 @@ private:
   {
     const Floating_point floating_point;
     Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2 file(in, subject);
-    auto core = std::make_unique<Core>(m_core->state.traits, visitor());
+    auto core = std::make_unique<Core>(m_core->state.traits, settings());
     Dynamic_Delaunay_triangulations_3::internal::Checkpoint_reader_3(core->state, file).read();
     read_more(file, core->state.ids);
     file.finish();

@@ -37,12 +37,27 @@ auto end_of(const scenario::Motion_3& motion)
 
 } // namespace
 
-Kept_motion_3::Kept_motion_3(const scenario::Motion_3& motion)
+Any_policy_3 make_policy_3(const Policy_choice& choice)
+{
+  if (choice.name == "always_static") {
+    return Any_policy_3(CGAL::Always_static_policy_2());
+  }
+  if (choice.name == "key_frames") {
+    return Any_policy_3(CGAL::Key_frame_policy_2(*choice.parameter));
+  }
+  if (choice.name != "always_dynamic") {
+    throw std::invalid_argument("--policy " + choice.name +
+                                ": is for the plane, and the motion is in space");
+  }
+  return Any_policy_3();
+}
+
+Kept_motion_3::Kept_motion_3(const scenario::Motion_3& motion, const Any_policy_3& policy)
 {
   if (motion.has_fixed_population()) {
-    m_triangulation.emplace(begin_of(motion), end_of(motion));
+    m_triangulation.emplace(begin_of(motion), end_of(motion), policy);
   } else {
-    m_population.emplace();
+    m_population.emplace(Dynamic_3(policy));
     update_population(motion);
   }
   find_places(motion);
@@ -72,9 +87,9 @@ void Kept_motion_3::find_places(const scenario::Motion_3& motion)
   }
 }
 
-Motion_run_3::Motion_run_3(scenario::Motion_3& motion)
+Motion_run_3::Motion_run_3(scenario::Motion_3& motion, const Any_policy_3& policy)
   : m_motion(motion)
-  , m_kept(motion)
+  , m_kept(motion, policy)
 {
   with_frame_in_message([this] { begin_frame(); });
 }

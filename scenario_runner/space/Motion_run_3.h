@@ -5,10 +5,15 @@
 #define SCENARIO_RUNNER_SPACE_MOTION_RUN_3_H
 
 #include "scenario_runner/Frame_record.h"
+#include "scenario_runner/Method_choice.h"
 #include "scenario_runner/space/Motion_3.h"
 #include "scenario_runner/space/Static_triangulation_3.h"
 #include "scenario_runner/Threads.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_static_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Chosen_policy_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Key_frame_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_population_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,9 +26,16 @@
 
 namespace run {
 
+using Any_policy_3 = CGAL::Chosen_policy_2<CGAL::Always_dynamic_policy_2,
+                                           CGAL::Always_static_policy_2, CGAL::Key_frame_policy_2>;
+
+// \throws std::invalid_argument for a policy that is for the plane alone
+Any_policy_3 make_policy_3(const Policy_choice& choice);
+
 using Dynamic_3 =
     CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel,
-                                           Concurrency_tag>;
+                                           CGAL::With_concurrency_2<Concurrency_tag>,
+                                           CGAL::With_policy_2<Any_policy_3>>;
 
 struct Frame_record_3 : Frame_facts
 {
@@ -35,7 +47,7 @@ struct Frame_record_3 : Frame_facts
 class Kept_motion_3
 {
 public:
-  explicit Kept_motion_3(const scenario::Motion_3& motion);
+  Kept_motion_3(const scenario::Motion_3& motion, const Any_policy_3& policy);
 
   CGAL::Update_report_3 update(const scenario::Motion_3& motion);
 
@@ -73,7 +85,7 @@ public:
   // The places in the motion of the corners of a cell.
   using Shown_cell_3 = std::array<std::uint32_t, 4>;
 
-  explicit Motion_run_3(scenario::Motion_3& motion);
+  explicit Motion_run_3(scenario::Motion_3& motion, const Any_policy_3& policy = Any_policy_3());
 
   void check_first_frame();
 

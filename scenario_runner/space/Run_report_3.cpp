@@ -32,6 +32,8 @@ void write_report(std::ostream& out, const Run_subject_3& subject, const Run_sum
   json["points"] = summary.points;
   json["frames"] = summary.frames;
   json["repair"] = "hold_and_flip";
+  json["policy"] = subject.policy.name;
+  json["policy_parameter"] = json_of(subject.policy.parameter);
   json["threads"] = subject.threads;
   json["time_step"] = json_of(subject.time_step);
   json["seed"] = json_of(subject.seed);
@@ -53,6 +55,7 @@ void write_table(std::ostream& out, const Run_subject_3& subject, const Run_summ
   table.add("scenario", subject.scenario + ", " + std::to_string(summary.points) +
                             " points in space, " + std::to_string(summary.frames) + " frames");
   table.add("repair", "hold_and_flip (exact)");
+  table.add("policy", subject.policy.text());
   table.add("certified frames", certified_text(summary));
   table.add("rebuilds", rebuild_text(summary));
   if (summary.population_changes != 0) {

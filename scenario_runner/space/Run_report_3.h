@@ -20,6 +20,7 @@ namespace run {
 struct Run_subject_3
 {
   std::string scenario;
+  Policy_choice policy;
   unsigned threads;
   std::optional<double> time_step;
   std::optional<std::uint64_t> seed; // where there is chance

@@ -59,7 +59,7 @@ if(NOT MSVC)
   endif()
   add_refusal(compiled_updates compiled_updates "is for programs that define" -Wfatal-errors)
   add_refusal(rounded_predicates rounded_predicates "nothing could be certified")
-  add_refusal(options options "and nothing else.*is given twice.*in the plane only")
+  add_refusal(options options "and nothing else.*is given twice.*in the plane only.*in space takes" -fmax-errors=0)
   # Each of them by name: the compiler goes on after the first.
   set(kinds "becomes no vertex by itself" "an edge is no vertex" "become one" "assigned to a vertex" "lists alike"
     "equals no vertex" "in a column of vertices" "nor has a number" "an edge has no id")

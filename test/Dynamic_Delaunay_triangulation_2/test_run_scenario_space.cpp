@@ -91,6 +91,7 @@ TEST(Run_in_space, shows_a_table)
   EXPECT_TRUE(outcome.succeeded) << outcome.errors;
   EXPECT_TRUE(contains(outcome.output, "dam_break_3, 200 points in space, 10 frames"));
   EXPECT_TRUE(contains(outcome.output, "10 of 10"));
+  EXPECT_TRUE(contains(outcome.output, "always_dynamic"));
   EXPECT_TRUE(contains(outcome.output, "speedup over fastest static"));
 }
 
@@ -101,6 +102,20 @@ TEST(Run_in_space, takes_seed_time_step_and_threads)
   EXPECT_EQ(report["seed"], 7);
   EXPECT_EQ(report["time_step"], 0.1);
   EXPECT_EQ(report["certified_frames"], 3);
+}
+
+TEST(Run_in_space, has_policies)
+{
+  const auto rebuilds = [](const std::string& policy) {
+    const Json report =
+        report_of({"brownian_3", "--frames", "6", "--points", "200", "--policy", policy});
+    EXPECT_EQ(report["certified_frames"], 6);
+    EXPECT_EQ(report["policy"], policy.substr(0, policy.find(':')));
+    return report["rebuilds"];
+  };
+  EXPECT_EQ(rebuilds("always_dynamic"), 0);
+  EXPECT_EQ(rebuilds("key_frames:3"), 2);
+  EXPECT_EQ(rebuilds("always_static"), 6);
 }
 
 TEST(Run_in_space, is_refused_what_only_the_plane_has)

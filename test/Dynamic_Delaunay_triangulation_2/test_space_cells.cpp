@@ -643,7 +643,8 @@ TEST(Threads, measure_and_list_the_same)
   for (std::size_t i = 0; i < 100; ++i)
     points.push_back(points[17 * i]);
   const Dynamic dt(points);
-  const CGAL::Dynamic_Delaunay_triangulation_3<Epick, CGAL::Parallel_tag> parallel(points);
+  const CGAL::Dynamic_Delaunay_triangulation_3<Epick, CGAL::With_concurrency_2<CGAL::Parallel_tag>>
+      parallel(points);
   Lists lists, parallel_lists;
   lists.compute(dt);
   parallel_lists.compute(parallel);

@@ -378,7 +378,8 @@ TEST(Gradients_in_space, do_not_depend_on_threads)
 {
   const Points points = random_points(4000);
   const Dynamic dt(points);
-  const CGAL::Dynamic_Delaunay_triangulation_3<Epick, CGAL::Parallel_tag> parallel(points);
+  const CGAL::Dynamic_Delaunay_triangulation_3<Epick, CGAL::With_concurrency_2<CGAL::Parallel_tag>>
+      parallel(points);
   for (const Box& box : {Box(), Box(unit_box)}) {
     const Gradients one = gradients_of(dt, box), other = gradients_of(parallel, box);
     EXPECT_EQ(one.offsets(), other.offsets());

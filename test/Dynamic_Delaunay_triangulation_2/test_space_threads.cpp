@@ -53,7 +53,8 @@ protected:
   using Point = typename Kernel::Point_3;
   using Points = std::vector<Point>;
   using Sequential = CGAL::Dynamic_Delaunay_triangulation_3<Kernel>;
-  using Parallel = CGAL::Dynamic_Delaunay_triangulation_3<Kernel, CGAL::Parallel_tag>;
+  using Parallel =
+      CGAL::Dynamic_Delaunay_triangulation_3<Kernel, CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
 
   Points random_points(std::size_t number)
   {

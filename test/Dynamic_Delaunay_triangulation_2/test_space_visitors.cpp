@@ -81,7 +81,10 @@ struct Ledger : CGAL::Delaunay_update_visitor_base_3
   std::size_t begun = 0, ended = 0, told = 0;
 };
 
-using Watched = CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick, CGAL::Sequential_tag, Ledger>;
+template <class Visitor>
+using Watched_by =
+    CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick, CGAL::With_visitor_2<Visitor>>;
+using Watched = Watched_by<Ledger>;
 using Point = Watched::Point;
 using Points = std::vector<Point>;
 using space_points::random_points;
@@ -263,8 +266,7 @@ struct Faulty : Ledger
 
 TEST(Visitors_in_space, may_throw_after_an_update)
 {
-  CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick, CGAL::Sequential_tag, Faulty> dt(
-      random_points(30));
+  Watched_by<Faulty> dt(random_points(30));
   dt.visitor().throws = true;
   EXPECT_THROW(dt.remove(7), std::runtime_error);
   EXPECT_FALSE(dt.has_id(7));
@@ -277,8 +279,7 @@ TEST(Visitors_in_space, may_throw_after_an_update)
 
 TEST(Edge_changes_in_space, are_the_difference_since_they_were_cleared)
 {
-  using Listed = CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick, CGAL::Sequential_tag,
-                                                        CGAL::Edge_changes_visitor_3>;
+  using Listed = Watched_by<CGAL::Edge_changes_visitor_3>;
   Points points = random_points(300);
   Listed dt(points);
   EXPECT_EQ(dt.visitor().created_edges().size(), edges_of(dt).size());

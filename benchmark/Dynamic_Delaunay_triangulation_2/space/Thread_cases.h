@@ -62,7 +62,8 @@ public:
   const auto& triangulation() const { return m_dynamic; }
 
 private:
-  using Triangulation = CGAL::Dynamic_Delaunay_triangulation_3<Kernel, Concurrency_tag>;
+  using Triangulation =
+      CGAL::Dynamic_Delaunay_triangulation_3<Kernel, CGAL::With_concurrency_2<Concurrency_tag>>;
 
   run::Threads m_threads;
   Triangulation m_dynamic;

@@ -65,7 +65,8 @@ public:
 template <class Visitor>
 using Dynamic_3 =
     CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel,
-                                           run::Concurrency_tag, Visitor>;
+                                           CGAL::With_concurrency_2<run::Concurrency_tag>,
+                                           CGAL::With_visitor_2<Visitor>>;
 template <class Dynamic, bool has_user_ids>
 using Owning_subject_3 =
     Owning_subject<Subject_3, Dynamic,

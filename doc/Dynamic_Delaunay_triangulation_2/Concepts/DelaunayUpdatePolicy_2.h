@@ -13,6 +13,12 @@ The constructor of the triangulation copies the policy. A policy may keep data o
 to frame. Its decisions should depend on what it reads and counts, not on clocks; then updates stay
 deterministic.
 
+Triangulations of points in space take the same policies but `CGAL::Hybrid_policy_2`, which they do not
+need: where much is broken, a sample of cells tells whether to rebuild. Their policies get a
+`CGAL::Dynamic_frame_3` and a `CGAL::Update_report_3`. They are asked in frames in which the points span
+space. In a frame of a `CGAL::Dynamic_population_3`, points that go have gone when the policy is asked; if
+it throws then, the others have their new positions, and there are no cells until the next call.
+
 \cgalHasModelsBegin
 \cgalHasModels{CGAL::Always_dynamic_policy_2}
 \cgalHasModels{CGAL::Always_static_policy_2}
@@ -32,7 +38,7 @@ public:
   If it throws, the update changes nothing and rethrows the exception.
 
   \param frame the points at the positions of the current frame, with the topology of the last one.
-  \tparam Frame `CGAL::Dynamic_frame_2`
+  \tparam Frame `CGAL::Dynamic_frame_2`, in space `CGAL::Dynamic_frame_3`
   \return `true` to rebuild.
   */
   template <class Frame>
@@ -47,8 +53,9 @@ public:
 
   \param frame the points, with the topology at the end of the update.
   \param report what the update did.
-  \tparam Frame `CGAL::Dynamic_frame_2`
+  \tparam Frame `CGAL::Dynamic_frame_2`, in space `CGAL::Dynamic_frame_3`
+  \tparam Report `CGAL::Update_report_2`, in space `CGAL::Update_report_3`
   */
-  template <class Frame>
-  void after_update(const Frame& frame, const Update_report_2& report);
+  template <class Frame, class Report>
+  void after_update(const Frame& frame, const Report& report);
 };

@@ -71,10 +71,9 @@ points that coincide. Cost: linear, about a microsecond a point; without cells, 
 \pre `dt.is_certified()`
 \tparam Triangulation a `Delaunay_triangulation_3` with the same type of points.
 */
-template <class Traits, class ConcurrencyTag, class Visitor, class Triangulation>
+template <class Traits, class... Options, class Triangulation>
 void convert_to_delaunay_triangulation_3(
-    const Dynamic_Delaunay_triangulation_3<Traits, ConcurrencyTag, Visitor>& dt,
-    Triangulation& result)
+    const Dynamic_Delaunay_triangulation_3<Traits, Options...>& dt, Triangulation& result)
 {
   const auto& state = Dynamic_Delaunay_triangulations_3::internal::certified_state(dt);
   result.clear();

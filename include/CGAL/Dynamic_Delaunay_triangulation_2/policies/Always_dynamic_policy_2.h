@@ -6,8 +6,6 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
-
 namespace CGAL {
 
 /*!
@@ -30,8 +28,8 @@ public:
   }
 
   /// does nothing.
-  template <class Frame>
-  void after_update(const Frame&, const Update_report_2&) const
+  template <class Frame, class Report>
+  void after_update(const Frame&, const Report&) const
   {
   }
 };

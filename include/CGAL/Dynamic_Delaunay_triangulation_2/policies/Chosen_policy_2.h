@@ -6,8 +6,6 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
-
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -52,8 +50,8 @@ public:
   }
 
   /// informs the chosen policy.
-  template <class Frame>
-  void after_update(const Frame& frame, const Update_report_2& report)
+  template <class Frame, class Report>
+  void after_update(const Frame& frame, const Report& report)
   {
     std::visit([&](auto& chosen) { chosen.after_update(frame, report); }, m_policy);
   }

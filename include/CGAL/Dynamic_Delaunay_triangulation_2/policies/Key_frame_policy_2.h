@@ -6,7 +6,6 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 namespace CGAL {
@@ -47,8 +46,8 @@ public:
   }
 
   /// counts frames, also those that were rebuilt without asking.
-  template <class Frame>
-  void after_update(const Frame&, const Update_report_2&)
+  template <class Frame, class Report>
+  void after_update(const Frame&, const Report&)
   {
     m_frames_since = (m_frames_since + 1) % m_k;
   }

@@ -12,6 +12,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Filtered_certificate_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Triangulation_state_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Chosen_rebuilds_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Waiting_points_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Whole_rebuild_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
@@ -39,6 +40,9 @@ class Update_3
   using Reason = Rebuild_reason_2;
 
 public:
+  using Frame = Dynamic_frame_3<State>;
+  using Chosen_rebuilds = Chosen_rebuilds_3<State>;
+
   explicit Update_3(State& state)
     : m_state(state)
     , m_flips(state)
@@ -91,18 +95,24 @@ public:
     m_waiting.prepare(change);
   }
 
-  // If memory does not suffice to begin, nothing changes. If it runs out later, there are no cells,
-  // each point is where it was or where it belongs, and the next call rebuilds.
-  Update_report_3 run(const Change_3<Point>& change)
+  // The present frame, between calls.
+  Frame frame() const { return Frame(m_state, m_other.positions); }
+
+  // If memory does not suffice to begin, or the policy throws in a frame of points that stay,
+  // nothing changes. If either happens later, there are no cells, each point is where it was or
+  // where it belongs, and the next call rebuilds.
+  Update_report_3 run(const Change_3<Point>& change, const Chosen_rebuilds& chosen = {})
   {
     reserve(change);
+    const bool is_chosen = is_choice(change, m_is_certified) && change.positions == nullptr &&
+                           is_chosen_before(chosen);
     m_report = Update_report_3();
     m_flips.clear();
     m_held.forget();
     m_waiting.clear();
     const bool was_certified = std::exchange(m_is_certified, false);
     try {
-      run_phases(change, was_certified);
+      run_phases(change, is_chosen, was_certified, chosen);
     } catch (...) {
       m_held.bring_to_targets();
       m_state.drop_cells();
@@ -118,9 +128,10 @@ public:
   }
 
 private:
-  void run_phases(const Change_3<Point>& change, bool was_certified)
+  void run_phases(const Change_3<Point>& change, bool is_chosen, bool was_certified,
+                  const Chosen_rebuilds& chosen)
   {
-    Reason reason = reason_not_to_mend(change, was_certified);
+    Reason reason = is_chosen ? Reason::POLICY : reason_not_to_mend(change, was_certified);
     if (!m_waiting.remove(change.gone, reason == Reason::NONE) ||
         !m_waiting.move(change, reason == Reason::NONE))
       reason = Reason::STUCK;
@@ -131,6 +142,8 @@ private:
     m_state.ids.reserve(change.coming);
     if (change.is_frame)
       exchange_positions();
+    if (reason == Reason::NONE && change.positions != nullptr && chosen.include(frame()))
+      reason = Reason::POLICY;
     if (reason == Reason::NONE)
       reason = mend(change);
     if (reason == Reason::NONE)
@@ -139,6 +152,25 @@ private:
     m_rebuild.run(change, reason == Reason::POPULATION || reason == Reason::DIMENSION);
     m_report.rebuild_reason = reason;
     m_report.merged = m_report.parted = 0;
+  }
+
+  // Whether the policy is asked.
+  bool is_choice(const Change_3<Point>& change, bool was_certified) const
+  {
+    return change.is_frame && reason_not_to_mend(change, was_certified) == Reason::NONE;
+  }
+  // Asks it at the new positions, before anything changes.
+  bool is_chosen_before(const Chosen_rebuilds& chosen)
+  {
+    exchange_positions();
+    try {
+      const bool is_chosen = chosen.include(frame());
+      exchange_positions();
+      return is_chosen;
+    } catch (...) {
+      exchange_positions();
+      throw;
+    }
   }
 
   // Removing a point costs some ten insertions.
