@@ -59,17 +59,19 @@ if(NOT MSVC)
   endif()
   add_refusal(compiled_updates compiled_updates "is for programs that define" -Wfatal-errors)
   add_refusal(rounded_predicates rounded_predicates "nothing could be certified")
-  add_refusal(options options "and nothing else.*is given twice.*in the plane only.*in space takes" -fmax-errors=0)
-  # Each of them by name: the compiler goes on after the first.
+  # Compilers go on after the first error, and after many.
+  set(all_errors $<IF:$<CXX_COMPILER_ID:GNU>,-fmax-errors=0,-ferror-limit=0>)
+  add_refusal(options options "and nothing else.*is given twice.*in the plane only.*in space takes" ${all_errors})
+  # Each of them by name.
   set(kinds "becomes no vertex by itself" "an edge is no vertex" "become one" "assigned to a vertex" "lists alike"
     "equals no vertex" "in a column of vertices" "nor has a number" "an edge has no id")
   list(JOIN kinds ".*" kinds)
-  add_refusal(wrong_kinds wrong_kinds "${kinds}" -fmax-errors=0)
+  add_refusal(wrong_kinds wrong_kinds "${kinds}" ${all_errors})
   set(private_members m_triangulation m_storage m_arrays m_shifts m_ids m_changes m_visitor_calls m_positions)
   list(TRANSFORM private_members APPEND "[^\n]*private")
   list(JOIN private_members ".*" private_members)
-  add_refusal(foreign_writer foreign_writer "${private_members}.*flip.*const" -fmax-errors=0)
-  add_refusal(second_writer foreign_writer "a constant state has no writer" -fmax-errors=0)
+  add_refusal(foreign_writer foreign_writer "${private_members}.*flip.*const" ${all_errors})
+  add_refusal(second_writer foreign_writer "a constant state has no writer" ${all_errors})
   add_refusal(gpl licensed_under_gpl "2D Dynamic Delaunay Triangulation would be used under the GPL" -DCGAL_LICENSE_ERROR)
 endif()
 
