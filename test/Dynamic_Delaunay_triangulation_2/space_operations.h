@@ -10,6 +10,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <map>
 #include <random>
 #include <sstream>
@@ -18,6 +20,23 @@
 
 namespace space_operations {
 
+// What updates have done, from their reports.
+struct Counts
+{
+  void add(const CGAL::Update_report_3& report)
+  {
+    ++calls;
+    flips += report.flips;
+    held += report.held;
+    relocated += report.relocated;
+    merged += report.merged;
+    parted += report.parted;
+    rebuilds += report.rebuilt();
+  }
+
+  std::size_t calls = 0, flips = 0, held = 0, relocated = 0, merged = 0, parted = 0, rebuilds = 0;
+};
+
 // A triangulation in space, the points that it should have, and what happens to both.
 template <class Dynamic, class Random = std::mt19937_64>
 class Program
@@ -25,25 +44,25 @@ class Program
 public:
   using Point = typename Dynamic::Point;
 
-  // Points in a cube of this extent; with a grid, on its multiples, where many are on spheres,
-  // planes and each other.
-  Program(std::uint64_t seed, double extent = 1, double grid = 0)
-    : m_random(seed)
-    , m_extent(extent)
-    , m_grid(grid)
+  // Points in a cube of this extent, or in a slab of this thickness; with a grid, on its multiples,
+  // where many are on spheres, planes and each other.
+  Program(std::uint64_t seed, double extent = 1, double grid = 0, double thickness = 1)
+    : Program(Random(seed), extent, grid, thickness)
   {
   }
 
   // As a generator of random numbers decides.
-  explicit Program(const Random& random, double extent = 1, double grid = 0)
+  explicit Program(const Random& random, double extent = 1, double grid = 0, double thickness = 1)
     : m_random(random)
     , m_extent(extent)
     , m_grid(grid)
+    , m_thickness(thickness)
   {
   }
 
   const Dynamic& triangulation() const { return m_triangulation; }
   const std::map<std::size_t, Point>& points() const { return m_points; }
+  const Counts& counts() const { return m_counts; }
 
   // Goes on with a triangulation that another one has written.
   void interrupt()
@@ -62,6 +81,7 @@ public:
     std::vector<std::size_t> ids;
     const auto report =
         m_triangulation.insert(points.begin(), points.end(), std::back_inserter(ids));
+    m_counts.add(report);
     EXPECT_EQ(report.inserted, number);
     ASSERT_EQ(ids.size(), number);
     for (std::size_t i = 0; i < number; ++i)
@@ -76,7 +96,9 @@ public:
       ids.push_back(id);
       m_points.erase(id);
     }
-    EXPECT_EQ(m_triangulation.remove(ids.begin(), ids.end()).removed, ids.size());
+    const auto report = m_triangulation.remove(ids.begin(), ids.end());
+    m_counts.add(report);
+    EXPECT_EQ(report.removed, ids.size());
   }
 
   void move_one()
@@ -85,7 +107,7 @@ public:
       return;
     const std::size_t id = some_id();
     m_points[id] = anywhere();
-    m_triangulation.move(id, m_points[id]);
+    m_counts.add(m_triangulation.move(id, m_points[id]));
   }
 
   // Several at once, some of them to where others were.
@@ -98,7 +120,9 @@ public:
         movers.emplace_back(id, target);
         point = target;
       }
-    EXPECT_TRUE(m_triangulation.move(movers.begin(), movers.end()).certified);
+    const auto report = m_triangulation.move(movers.begin(), movers.end());
+    m_counts.add(report);
+    EXPECT_TRUE(report.certified);
   }
 
   // Several at once, most of them within the cells around them.
@@ -112,7 +136,9 @@ public:
         const Position p = shaken(position_of(point), step);
         movers.emplace_back(id, point = Point(p.x, p.y, p.z));
       }
-    EXPECT_TRUE(m_triangulation.move(movers).certified);
+    const auto report = m_triangulation.move(movers);
+    m_counts.add(report);
+    EXPECT_TRUE(report.certified);
   }
 
   // One frame of some motion.
@@ -201,7 +227,7 @@ private:
   Point anywhere()
   {
     const double x = coordinate(), y = coordinate();
-    return Point(x, y, coordinate());
+    return Point(x, y, m_thickness * coordinate());
   }
   std::size_t some_id()
   {
@@ -217,7 +243,7 @@ private:
     if (step == 0)
       return p;
     const double x = p.x + normal(m_random), y = p.y + normal(m_random);
-    return {on_grid(x), on_grid(y), on_grid(p.z + normal(m_random))};
+    return {on_grid(x), on_grid(y), on_grid(p.z + m_thickness * normal(m_random))};
   }
 
   template <class Motion>
@@ -228,11 +254,14 @@ private:
       const Position p = motion(position_of(point));
       frame[id] = point = Point(p.x, p.y, p.z);
     }
-    EXPECT_TRUE(m_triangulation.update(frame).certified);
+    const auto report = m_triangulation.update(frame);
+    m_counts.add(report);
+    EXPECT_TRUE(report.certified);
   }
 
   Random m_random;
-  double m_extent, m_grid;
+  double m_extent, m_grid, m_thickness;
+  Counts m_counts;
   Dynamic m_triangulation;
   std::map<std::size_t, Point> m_points;
 };

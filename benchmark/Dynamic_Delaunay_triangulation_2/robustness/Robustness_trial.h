@@ -8,6 +8,7 @@
 #include "../random_operations/Counts.h"
 #include "../random_operations/Make_subject.h"
 #include "../random_operations/Trial.h"
+#include "Trial_seed.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,8 +20,6 @@
 namespace robustness {
 
 using namespace random_operations;
-
-inline constexpr std::size_t operations_of_trial = 200;
 
 struct Found
 {
@@ -59,15 +58,6 @@ struct Results
     return *this;
   }
 };
-
-// A seed that is independent of those of other trials (SplitMix64).
-inline std::uint64_t seed_of_trial(std::uint64_t seed, std::uint64_t trial)
-{
-  std::uint64_t x = (seed + 1) * 0x9E3779B97F4A7C15u + trial * 0xD1B54A32D192ED03u;
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9u;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EBu;
-  return x ^ (x >> 31);
-}
 
 // A trial whose every decision comes from one seed, on a triangulation of its own.
 class Robustness_trial
