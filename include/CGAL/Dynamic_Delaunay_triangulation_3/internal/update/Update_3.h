@@ -173,14 +173,15 @@ private:
     }
   }
 
-  // Removing a point costs some ten insertions.
+  // Removing a point costs some eleven insertions: where 8 percent of 100,000 points go and as many
+  // come, mending takes 0.9 of the time of a rebuild, where 9 percent do, 1.1.
   Reason reason_not_to_mend(const Change_3<Point>& change, bool was_certified) const
   {
     if (!m_state.spans_space)
       return Reason::DIMENSION;
     if (!was_certified || !m_state.has_origin)
       return Reason::STUCK;
-    if (10 * (change.gone.size() + change.moved.size()) + change.coming.size() >
+    if (11 * (change.gone.size() + change.moved.size()) + change.coming.size() >
         m_state.number_of_vertices())
       return Reason::POPULATION;
     return Reason::NONE;
