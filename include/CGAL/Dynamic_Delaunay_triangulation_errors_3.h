@@ -8,7 +8,9 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
+#include <array>
 #include <cstddef>
+#include <string>
 
 namespace CGAL {
 
@@ -83,6 +85,49 @@ public:
 
 private:
   double m_limit;
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+The vectors of a periodic cell in space are not finite, or in a plane, or doubles cannot tell how
+far points are apart in the cell.
+*/
+class Periodic_cell_error_3
+  : public Dynamic_Delaunay_triangulations_2::internal::Error_with<
+        std::array<double, 3>, std::array<double, 3>, std::array<double, 3>>
+{
+public:
+  /// \cond
+  Periodic_cell_error_3(const std::array<double, 3>& a, const std::array<double, 3>& b,
+                        const std::array<double, 3>& c, const std::string& demand)
+    : Error({a, b, c}, "a periodic cell has the vectors (", a[0], ", ", a[1], ", ", a[2], "), (",
+            b[0], ", ", b[1], ", ", b[2], ") and (", c[0], ", ", c[1], ", ", c[2], "): ", demand)
+  {
+  }
+  /// \endcond
+
+  const std::array<double, 3>& a() const { return value<0>(); } ///< the first vector.
+  const std::array<double, 3>& b() const { return value<1>(); } ///< the second vector.
+  const std::array<double, 3>& c() const { return value<2>(); } ///< the third vector.
+};
+
+/*!
+\ingroup PkgDynamicDelaunayTriangulation2Errors
+
+A point in periodic space is so many cells away from the origin that the translations between
+neighbors could not be counted.
+*/
+class Periodic_range_error_3 : public Coordinate_error_3
+{
+public:
+  /// \cond
+  Periodic_range_error_3(std::size_t id, double x, double y, double z, double limit)
+    : Coordinate_error_3(id, x, y, z, "all of its multiples of the cell's vectors must be below ",
+                         limit, " in absolute value")
+  {
+  }
+  /// \endcond
 };
 
 } // namespace CGAL

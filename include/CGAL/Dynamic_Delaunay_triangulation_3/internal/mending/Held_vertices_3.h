@@ -23,15 +23,17 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // at its old position. If cells stay inverted even so, flips are in the way: all of them are undone
 // and forbidden near these cells, and it all begins again; in the last attempt everything may
 // return to its old position, where all cells were positive.
-template <class State>
+//
+// In open space and in periodic space, each with the flips of its cells.
+template <class State, class Flips = Lawson_flips_3<State>>
 class Held_vertices_3
 {
-  using Arrays = Tetrahedra_arrays_3;
-  using Point = typename State::Point;
-  using Place = Place_3<Point>;
+  using Arrays = typename State::Arrays;
+  using Place = typename State::Place;
+  using Positions = typename State::Positions;
 
 public:
-  Held_vertices_3(State& state, const Positions_3<Point>& previous, Lawson_flips_3<State>& flips)
+  Held_vertices_3(State& state, const Positions& previous, Flips& flips)
     : m_state(state)
     , m_previous(previous)
     , m_flips(flips)
@@ -157,7 +159,7 @@ private:
   Arrays& arrays() { return m_state.arrays; }
   const Arrays& arrays() const { return m_state.arrays; }
   const Position_3& position(Vertex_index v) const { return m_state.positions.position(v); }
-  bool is_positive(Cell_index c) const { return m_flips.signs().is_positive(arrays().vertices(c)); }
+  bool is_positive(Cell_index c) const { return m_flips.is_positive(c); }
   bool is_held(Vertex_index v) const { return m_number[v] != null_index; }
 
   // HOLDING ---------------------------------------------------------------------------------------
@@ -459,8 +461,8 @@ private:
   }
 
   State& m_state;
-  const Positions_3<Point>& m_previous;
-  Lawson_flips_3<State>& m_flips;
+  const Positions& m_previous;
+  Flips& m_flips;
   Position_3 m_mean{0, 0, 0}, m_old_origin{0, 0, 0}, m_new_origin{0, 0, 0};
   std::vector<Held> m_held;
   Column<Vertex_index, Index> m_number;   // of a held vertex in that list, else null_index

@@ -40,6 +40,7 @@ public:
 
   const Cell_signs_3<State>& signs() const { return m_signs; }
   std::size_t number_of_flips() const { return m_number; }
+  bool is_positive(Cell_index c) const { return m_signs.is_positive(arrays().vertices(c)); }
 
   // Gives memory back, too: after a rough frame these lists have some 100 bytes a point.
   void clear()

@@ -29,6 +29,8 @@ public:
   using Traits = GeomTraits;
   using Point = typename Traits::Point_3;
   using Place = Place_3<Point>;
+  using Positions = Positions_3<Point>;
+  using Arrays = Tetrahedra_arrays_3;
   using Ids = Dynamic_Delaunay_triangulations_2::internal::Point_ids_2<Point>;
   using Parts = Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<ConcurrencyTag>;
 

@@ -9,13 +9,12 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Vertex_insertion_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Certificate_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Vertex_order_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -93,25 +92,6 @@ public:
   }
 
 private:
-  static constexpr std::uint64_t choices = 8; // one in so many vertices is inserted earlier
-
-  static std::vector<Vertex_index> order_by_rounds(Index vertices)
-  {
-    std::array<std::vector<Vertex_index>, 10> rounds;
-    for (Vertex_index v(1); v <= vertices; ++v) {
-      std::uint64_t bits = (std::uint64_t(Index(v)) * 0x9e3779b97f4a7c15u) >> 24;
-      std::size_t round = 0;
-      for (; round + 1 < rounds.size() && bits % choices == 0; ++round)
-        bits /= choices;
-      rounds[round].push_back(v);
-    }
-    std::vector<Vertex_index> order;
-    order.reserve(vertices);
-    for (std::size_t round = rounds.size(); round-- > 0;)
-      order.insert(order.end(), rounds[round].begin(), rounds[round].end());
-    return order;
-  }
-
   // Cells in the order of their smallest vertices: a pass over them then reads positions in order.
   void sort_cells()
   {

@@ -13,7 +13,9 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
@@ -32,6 +34,27 @@ inline std::vector<Index> order_along_curve(const std::vector<Position_3>& posit
   const auto map = boost::make_function_property_map<Index>(point_of);
   const Spatial_sort_traits_adapter_3<Kernel, decltype(map)> traits(map);
   hilbert_sort(order.begin(), order.end(), traits);
+  return order;
+}
+
+// The vertices from 1 to `vertices` in rounds (Amenta, Choi and Rote 2003): one in eight, chosen at
+// random, comes before the others, one in eight of these before the rest of them, and so on; within
+// a round they follow their numbers.
+inline std::vector<Vertex_index> order_by_rounds(Index vertices)
+{
+  constexpr std::uint64_t choices = 8;
+  std::array<std::vector<Vertex_index>, 10> rounds;
+  for (Vertex_index v(1); v <= vertices; ++v) {
+    std::uint64_t bits = (std::uint64_t(Index(v)) * 0x9e3779b97f4a7c15u) >> 24;
+    std::size_t round = 0;
+    for (; round + 1 < rounds.size() && bits % choices == 0; ++round)
+      bits /= choices;
+    rounds[round].push_back(v);
+  }
+  std::vector<Vertex_index> order;
+  order.reserve(vertices);
+  for (std::size_t round = rounds.size(); round-- > 0;)
+    order.insert(order.end(), rounds[round].begin(), rounds[round].end());
   return order;
 }
 

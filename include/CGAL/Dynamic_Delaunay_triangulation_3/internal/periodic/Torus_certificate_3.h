@@ -1,0 +1,156 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_CERTIFICATE_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_CERTIFICATE_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_pass_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Proves that cells are the Delaunay triangulation of a torus: they fit together, all are positive,
+// they cover the torus once, and all facets are legal.
+//
+// Cells that fit together and are positive cover every point equally often, but for those on
+// facets; so how often they do is the sum of their volumes, divided by the torus' volume. It is an
+// integer, and flips and motion do not change it while all cells stay positive.
+template <class State>
+class Torus_certificate_3
+{
+  using Arrays = Torus_cells_3;
+
+public:
+  explicit Torus_certificate_3(const State& state)
+    : m_state(state)
+    , m_signs(state)
+  {
+  }
+
+  // Whether cells fit together, and each vertex has one of its own.
+  bool is_combinatorially_valid() const
+  {
+    Column<Vertex_index, char> is_there(arrays().number_of_vertices(), 0);
+    for (Cell_index c(0); c < arrays().number_of_cells(); ++c) {
+      if (arrays().is_free(c) || arrays().cell(c).shifts[0] != Torus_shift_3())
+        return false;
+      for (int i = 0; i < 4; ++i) {
+        const Corner_index k = Arrays::corner(c, i);
+        is_there[arrays().vertex(k)] = 1;
+        if (!fits(k))
+          return false;
+      }
+    }
+    for (Vertex_index v(1); v < arrays().number_of_vertices(); ++v)
+      if (!is_there[v] || arrays().vertex(arrays().corner_of(v)) != v)
+        return false;
+    return arrays().number_of_vertices() == m_state.number_of_vertices() + 1 &&
+           m_state.positions.number() == arrays().number_of_vertices();
+  }
+
+  // Whether all cells are positive, and all facets legal, by exact predicates.
+  bool is_Delaunay() const
+  {
+    for (Cell_index c(0); c < arrays().number_of_cells(); ++c)
+      if (!is_Delaunay(c))
+        return false;
+    return true;
+  }
+  // The same, by a pass of the filter first.
+  bool is_Delaunay(std::vector<Cell_index>& unproved) const
+  {
+    find_unproved_in_torus(m_state, unproved);
+    return std::all_of(unproved.begin(), unproved.end(),
+                       [this](Cell_index c) { return is_Delaunay(c); });
+  }
+
+  // Whether cells, which fit together and are positive, cover the torus once: whether the sum of
+  // their volumes is nearer to its volume than to all its multiples.
+  bool covers_once() const
+  {
+    const double whole = 6 * m_state.torus.volume(), error = std::sqrt(m_state.squared_error);
+    double sum = 0, uncertainty = 0;
+    for (Cell_index c(0); c < arrays().number_of_cells(); ++c) {
+      const Torus_sites_3 sites = arrays().sites(c);
+      const Position_3 a = m_state.position(sites[0]);
+      Few<Points_in_lanes_3<double>, 3> v;
+      double size = 0;
+      for (int i = 0; i < 3; ++i) {
+        const Position_3 way = m_state.position(sites[i + 1]) - a;
+        v[i] = {way.x, way.y, way.z};
+        size = (std::max)(size, squared_length(way));
+      }
+      sum += dot(v[0], cross(v[1], v[2]));
+      const double length = std::sqrt(size) + error;
+      uncertainty += length * length * (0x1p-49 * length + 4 * error);
+    }
+    if (uncertainty + 0x1p-50 * double(arrays().number_of_cells()) * whole < whole / 16)
+      return std::abs(sum - whole) < whole / 4;
+    return covers_once_exactly();
+  }
+
+private:
+  const Arrays& arrays() const { return m_state.arrays; }
+
+  // Whether the two cells at a facet share its sites, with opposite orientations.
+  bool fits(Corner_index k) const
+  {
+    const Corner_index l = arrays().mirror(k);
+    if (l == k || Arrays::cell_of(l) >= arrays().number_of_cells() || arrays().mirror(l) != k ||
+        arrays().translation(l) != -arrays().translation(k))
+      return false;
+    Few<int, 4> places;
+    for (int i = 0; i < 4; ++i) {
+      if (i == Arrays::place_of(k)) {
+        places[i] = Arrays::place_of(l);
+        continue;
+      }
+      const Torus_site_3 s = arrays().site(Arrays::corner(Arrays::cell_of(k), i));
+      places[i] =
+          arrays().place_of(Arrays::cell_of(l), {s.vertex, s.shift - arrays().translation(k)});
+      if (places[i] == 4 || places[i] == Arrays::place_of(l))
+        return false;
+    }
+    return !is_even(places);
+  }
+
+  bool is_Delaunay(Cell_index c) const
+  {
+    const Torus_sites_3 sites = arrays().sites(c);
+    if (!m_signs.is_positive(sites))
+      return false;
+    for (int i = 0; i < 4; ++i)
+      if (m_signs.side_of_sphere(sites, arrays().apex_site(Arrays::corner(c, i))) > 0)
+        return false;
+    return true;
+  }
+
+  bool covers_once_exactly() const
+  {
+    Exact_number_3 sum = 0;
+    for (Cell_index c(0); c < arrays().number_of_cells(); ++c) {
+      const Torus_sites_3 s = arrays().sites(c);
+      const Torus_point_3 a = m_state.point(s[0]);
+      const auto way = [&](int i) { return m_state.torus.exact_vector(a, m_state.point(s[i])); };
+      sum = sum + dot(way(1), cross(way(2), way(3)));
+    }
+    const Torus_3& torus = m_state.torus;
+    const Exact_number_3 whole =
+        Exact_number_3(6) *
+        dot(torus.exact_vector(0), cross(torus.exact_vector(1), torus.exact_vector(2)));
+    return sum == whole || CGAL::is_zero(sum + whole);
+  }
+
+  const State& m_state;
+  Torus_signs_3<State> m_signs;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_CERTIFICATE_3_H

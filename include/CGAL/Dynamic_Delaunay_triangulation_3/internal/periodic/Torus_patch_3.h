@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_PATCH_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_PATCH_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Vertex_insertion_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_predicates_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// A finite set of images, as points of open space: what insertion there asks of a state.
+class Patch_state_3
+{
+public:
+  using Traits = Torus_predicates_3;
+  using Point = Torus_point_3;
+
+  explicit Patch_state_3(const Traits& predicates)
+    : traits(predicates)
+    , positions{points}
+  {
+  }
+
+  const Point& point(Vertex_index v) const { return points[v]; }
+  bool coincide(const Point& p, const Point& q) const { return traits.coincide(p, q); }
+
+  Traits traits;
+  Column<Vertex_index, Point> points;
+  Position_3 origin{0, 0, 0};                        // insertion does not depend on it
+  static constexpr bool positions_are_exact = false; // these predicates have a filter of their own
+  struct
+  {
+    const Column<Vertex_index, Point>& points;
+    const Position_3& position(Vertex_index v) const { return points[v].rounded; }
+  } positions;
+};
+
+// The Delaunay triangulation of a finite set of images in open space. Its vertices have the numbers
+// from 1 on.
+template <class State>
+class Torus_patch_3
+{
+  using Arrays = Tetrahedra_arrays_3;
+
+public:
+  explicit Torus_patch_3(const State& state)
+    : m_state(state)
+    , m_images(Torus_predicates_3(state.torus, state.squared_error))
+    , m_insertion(m_images, m_arrays, m_marks)
+  {
+  }
+  Torus_patch_3(const Torus_patch_3&) = delete;
+  Torus_patch_3& operator=(const Torus_patch_3&) = delete;
+
+  const Arrays& arrays() const { return m_arrays; }
+  Cell_marks_3& marks() { return m_marks; } // of these cells
+  const Torus_site_3& site(Vertex_index v) const { return m_sites[v]; }
+  Torus_sites_3 sites(Cell_index c) const
+  {
+    Torus_sites_3 sites;
+    for (int i = 0; i < 4; ++i)
+      sites[i] = m_sites[m_arrays.vertices(c)[i]];
+    return sites;
+  }
+
+  // Triangulates sites, inserted in their order. `hint(i)` is the number of a site that was
+  // inserted before the i-th one and should be near to it, or the number of sites. Calls
+  // coincides(i, j) if the i-th site is where the j-th one is already. False if all are coplanar.
+  template <class Hint, class Function>
+  bool triangulate(const std::vector<Torus_site_3>& sites, const Hint& hint,
+                   const Function& coincides)
+  {
+    m_sites.assign(sites.size() + 1, Torus_site_3());
+    m_images.points.assign(sites.size() + 1, Torus_point_3());
+    std::vector<Vertex_index> first;
+    for (Vertex_index v(1); v <= sites.size(); ++v) {
+      m_sites[v] = sites[v - 1];
+      m_images.points[v] = m_state.point(m_sites[v]);
+      first.push_back(v);
+    }
+    if (!begins_with_a_cell(m_images, first))
+      return false;
+    m_arrays.reset(Index(sites.size() + 1));
+    m_insertion.begin({first[0], first[1], first[2], first[3]});
+    for (Vertex_index v(1); v <= sites.size(); ++v) {
+      if (std::find(first.begin(), first.begin() + 4, v) != first.begin() + 4)
+        continue;
+      if (const std::size_t near = hint(v - 1); near < sites.size())
+        if (const Corner_index k = m_arrays.corner_of(Vertex_index(near + 1)); k != null_index)
+          m_insertion.start_at(Arrays::cell_of(k));
+      if (const Vertex_index other = m_insertion.insert(v); other != null_index)
+        coincides(v - 1, other - 1);
+    }
+    m_arrays.close_gaps();
+    return true;
+  }
+
+private:
+  const State& m_state;
+  Patch_state_3 m_images;
+  Arrays m_arrays;
+  Cell_marks_3 m_marks;
+  Vertex_insertion_3<Patch_state_3> m_insertion;
+  Column<Vertex_index, Torus_site_3> m_sites;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_PATCH_3_H

@@ -1,0 +1,247 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_PREDICATES_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_PREDICATES_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Cell_filter_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_3.h>
+#include <CGAL/enum.h>
+
+#include <boost/config.hpp>
+
+#include <limits>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// The filter of a cell whose vectors are not exact: each is off by an error vector of a length up
+// to E.
+//
+// volume is linear in each of three vectors of lengths up to m + E. While one of them moves by E,
+// volume changes by at most (m + E)^2 E. For E below m / 1000 that is 3.01 m^2 E in all.
+//
+// power is linear in each of its four vectors with their lifted coordinates, and changes its sign
+// if two are exchanged: its derivatives by all four have the same bounds. If e moves by d, volume
+// |e|^2 - sphere e changes by 2 volume e d - sphere d in the first order, which is at most (2 g^3 g
+// + 3 g^4) |d|. All vectors on the way are at most g + E long; so for E below g / 1000 the change
+// is 4 * 5.03 g^4 E at most.
+//
+// With the bounds of Cell_filter_in_lanes_3, volume is right where |volume| > 11.4 u m^3 + 3.01 m^2
+// E, which is so where volume^2 > m^4 (2 * 1.61e-30 m^2 + 18.2 E^2); and power where power^2 > g^8
+// (2 * 1.08e-28 g^2 + 810 E^2). Again factors are larger by a tenth.
+//
+// Underflow. Where E^2 or products with it underflow, they are below 1e-308, and the other summand
+// is above 1e-278 as there.
+template <class Number>
+class Torus_filter_in_lanes_3
+{
+public:
+  using Points = Points_in_lanes_3<Number>;
+
+  BOOST_FORCEINLINE Torus_filter_in_lanes_3(const Points& b, const Points& c, const Points& d,
+                                            Number squared_error)
+    : m_cell(b, c, d)
+    , m_squared_error(squared_error)
+  {
+  }
+
+  // True unless the cell is proved to be positive.
+  BOOST_FORCEINLINE auto may_be_inverted() const
+  {
+    const Number size = m_cell.size, volume = m_cell.volume, square = product(size, size);
+    const Number bound = product(square, product(Number(volume_factor), size) +
+                                             product(Number(error_of_volume), m_squared_error));
+    const auto is_negative = volume <= Number(0), is_uncertain = product(volume, volume) <= bound;
+    const auto is_large = Number(std::numeric_limits<double>::infinity()) <= bound;
+    return is_negative | is_uncertain | is_too_small() | is_large;
+  }
+
+  // True unless the vertex at e is proved to be outside of the sphere, given a cell that is proved
+  // to be positive.
+  BOOST_FORCEINLINE auto may_be_inside(const Points& e) const
+  {
+    const Power power(*this, e);
+    const auto is_negative = power.value <= Number(0);
+    const auto is_uncertain = product(power.value, power.value) <= power.bound;
+    const auto is_large = Number(std::numeric_limits<double>::infinity()) <= power.bound;
+    return is_negative | is_uncertain | is_large;
+  }
+
+  // 1 if e is proved to be inside of the sphere of a positive cell, -1 if outside, else 0. As the
+  // sign of the determinant it is that of inverted cells, too.
+  BOOST_FORCEINLINE int side_of_sphere(const Points& e) const
+  {
+    const Power power(*this, e);
+    const bool is_proved = product(power.value, power.value) > power.bound && !is_too_small() &&
+                           power.bound < std::numeric_limits<double>::infinity();
+    return !is_proved ? 0 : power.value < 0 ? 1 : -1;
+  }
+
+  // The sign of the volume, if it is proved, else 0.
+  BOOST_FORCEINLINE int orientation() const
+  {
+    const double size = m_cell.size, volume = m_cell.volume;
+    const double bound = size * size * (volume_factor * size + error_of_volume * m_squared_error);
+    const bool is_proved = volume * volume > bound && !is_too_small() &&
+                           bound < std::numeric_limits<double>::infinity();
+    return !is_proved ? 0 : volume < 0 ? -1 : 1;
+  }
+
+private:
+  static constexpr double volume_factor = 3.8e-30, error_of_volume = 20.5;
+  static constexpr double power_factor = 2.4e-28, error_of_power = 900;
+  static constexpr double smallest_square = 1e-50, most_error = 1e6;
+
+  struct Power
+  {
+    BOOST_FORCEINLINE Power(const Torus_filter_in_lanes_3& filter, const Points& e)
+    {
+      const Number ee = dot(e, e), size = larger(filter.m_cell.size, ee);
+      value = product(filter.m_cell.volume, ee) - dot(filter.m_cell.sphere, e);
+      const Number square = product(size, size);
+      bound = product(product(square, square),
+                      product(Number(power_factor), size) +
+                          product(Number(error_of_power), filter.m_squared_error));
+    }
+
+    Number value = 0.0, bound = 0.0;
+  };
+
+  BOOST_FORCEINLINE auto is_too_small() const
+  {
+    return m_cell.size <=
+           larger(Number(smallest_square), product(Number(most_error), m_squared_error));
+  }
+
+  Cell_filter_in_lanes_3<Number> m_cell;
+  Number m_squared_error;
+};
+
+// The predicates of points on a torus: a filter, then exact numbers. As traits they serve for sets
+// of images in open space.
+//
+// Ties. A lifting |x|^2 + e1 x^2 + e2 xy + e3 y^2 + e4 xz + e5 yz + e6 z^2, with infinitesimal e1
+// >> e2 >> ... > 0, takes the place of |x|^2. So where the in-sphere determinant is 0, its sign is
+// that of the first determinant with one of these monomials that is not 0. Translations change the
+// lifting by an affine function, and no sign: so the triangulation is periodic. It is unique: an
+// affine dependency of five points that span space, sum of l_i = 0, sum of l_i p_i = 0, would have
+// to fulfil sum of l_i p_i p_i^T = 0 for all determinants to be 0. But it divides the points into
+// two sets with a common point in their hulls (Radon), one of which has at most two points, on a
+// line; across this line all second moments of that set around the common point are 0, and so are
+// the other set's. Then all points are on that line.
+class Torus_predicates_3
+{
+public:
+  explicit Torus_predicates_3(const Torus_3& torus, const double& squared_error)
+    : m_torus(torus)
+    , m_squared_error(squared_error)
+  {
+  }
+
+  int orientation(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+                  const Torus_point_3& s) const
+  {
+    if (const int sign = filter(p, q, r, s).orientation())
+      return sign;
+    return int(CGAL::sign(dot(m_torus.exact_vector(p, q),
+                              cross(m_torus.exact_vector(p, r), m_torus.exact_vector(p, s)))));
+  }
+
+  // 1 if t is inside of the sphere of the others, if these are positively oriented. 0 only if all
+  // are coplanar, or two coincide.
+  int side_of_sphere(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+                     const Torus_point_3& s, const Torus_point_3& t) const
+  {
+    if (const int sign = filter(p, q, r, s).side_of_sphere(way(p, t)))
+      return sign;
+    return exact_side_of_sphere(m_torus.exact_vector(p, q), m_torus.exact_vector(p, r),
+                                m_torus.exact_vector(p, s), m_torus.exact_vector(p, t));
+  }
+
+  bool coincide(const Torus_point_3& p, const Torus_point_3& q) const
+  {
+    return m_torus.coincide(p, q);
+  }
+
+  // AS TRAITS -------------------------------------------------------------------------------------
+
+  struct Orientation_3
+  {
+    const Torus_predicates_3* predicates;
+    Sign operator()(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+                    const Torus_point_3& s) const
+    {
+      return Sign(predicates->orientation(p, q, r, s));
+    }
+  };
+  struct Side_of_oriented_sphere_3
+  {
+    const Torus_predicates_3* predicates;
+    Sign operator()(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+                    const Torus_point_3& s, const Torus_point_3& t) const
+    {
+      return Sign(predicates->side_of_sphere(p, q, r, s, t));
+    }
+  };
+  struct Collinear_3
+  {
+    const Torus_predicates_3* predicates;
+    bool operator()(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r) const
+    {
+      const Torus_3& torus = predicates->m_torus;
+      const Exact_vector_3 v = cross(torus.exact_vector(p, q), torus.exact_vector(p, r));
+      return CGAL::is_zero(v.x) && CGAL::is_zero(v.y) && CGAL::is_zero(v.z);
+    }
+  };
+  Orientation_3 orientation_3_object() const { return {this}; }
+  Side_of_oriented_sphere_3 side_of_oriented_sphere_3_object() const { return {this}; }
+  Collinear_3 collinear_3_object() const { return {this}; }
+
+private:
+  static Points_in_lanes_3<double> way(const Torus_point_3& from, const Torus_point_3& to)
+  {
+    const Position_3 v = to.rounded - from.rounded;
+    return {v.x, v.y, v.z};
+  }
+  Torus_filter_in_lanes_3<double> filter(const Torus_point_3& p, const Torus_point_3& q,
+                                         const Torus_point_3& r, const Torus_point_3& s) const
+  {
+    return {way(p, q), way(p, r), way(p, s), m_squared_error};
+  }
+
+  static int exact_side_of_sphere(const Exact_vector_3& b, const Exact_vector_3& c,
+                                  const Exact_vector_3& d, const Exact_vector_3& e)
+  {
+    const Exact_vector_3 cd = cross(c, d), db = cross(d, b), bc = cross(b, c);
+    const Exact_number_3 volume = dot(b, cd);
+    const Exact_number_3 of_b = dot(cd, e), of_c = dot(db, e), of_d = dot(bc, e);
+    const auto side = [&](const auto& lifting) {
+      return -int(CGAL::sign(volume * lifting(e) - of_b * lifting(b) - of_c * lifting(c) -
+                             of_d * lifting(d)));
+    };
+    using Vector = Exact_vector_3;
+    int sign = side([](const Vector& v) { return dot(v, v); });
+    if (sign == 0)
+      sign = side([](const Vector& v) { return v.x * v.x; });
+    if (sign == 0)
+      sign = side([](const Vector& v) { return v.x * v.y; });
+    if (sign == 0)
+      sign = side([](const Vector& v) { return v.y * v.y; });
+    if (sign == 0)
+      sign = side([](const Vector& v) { return v.x * v.z; });
+    if (sign == 0)
+      sign = side([](const Vector& v) { return v.y * v.z; });
+    if (sign == 0)
+      sign = side([](const Vector& v) { return v.z * v.z; });
+    return sign;
+  }
+
+  const Torus_3& m_torus;
+  const double& m_squared_error;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_PREDICATES_3_H

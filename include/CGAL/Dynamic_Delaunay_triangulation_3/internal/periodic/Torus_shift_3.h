@@ -1,0 +1,73 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_SHIFT_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_SHIFT_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Multiples of the three vectors of a lattice's basis.
+using Multiples_3 = Few<int, 3>;
+
+inline Multiples_3 operator+(const Multiples_3& m, const Multiples_3& n)
+{
+  return {m[0] + n[0], m[1] + n[1], m[2] + n[2]};
+}
+inline Multiples_3 operator-(const Multiples_3& m, const Multiples_3& n)
+{
+  return {m[0] - n[0], m[1] - n[1], m[2] - n[2]};
+}
+
+// A translation of the lattice by few multiples, below 2^9 in absolute value, packed into one
+// integer, m[0] + 2^10 m[1] + 2^20 m[2]: so one addition adds all three.
+struct Torus_shift_3
+{
+  int code = 0;
+
+  static Torus_shift_3 of(const Multiples_3& m) { return {m[0] + (m[1] << 10) + (m[2] << 20)}; }
+
+  Multiples_3 multiples() const
+  {
+    const int first = low_multiple(code), rest = (code - first) >> 10, second = low_multiple(rest);
+    return {first, second, (rest - second) >> 10};
+  }
+
+  friend Torus_shift_3 operator+(Torus_shift_3 s, Torus_shift_3 t) { return {s.code + t.code}; }
+  friend Torus_shift_3 operator-(Torus_shift_3 s, Torus_shift_3 t) { return {s.code - t.code}; }
+  friend Torus_shift_3 operator-(Torus_shift_3 s) { return {-s.code}; }
+  friend bool operator==(Torus_shift_3 s, Torus_shift_3 t) { return s.code == t.code; }
+  friend bool operator!=(Torus_shift_3 s, Torus_shift_3 t) { return s.code != t.code; }
+  // An order that translations keep.
+  friend bool operator<(Torus_shift_3 s, Torus_shift_3 t) { return s.code < t.code; }
+
+private:
+  static int low_multiple(int n) { return ((n + 512) & 1023) - 512; }
+};
+
+using Shifts_3 = Few<Torus_shift_3, 4>;
+
+// An image of a vertex.
+struct Torus_site_3
+{
+  Vertex_index vertex;
+  Torus_shift_3 shift;
+
+  friend bool operator==(const Torus_site_3& a, const Torus_site_3& b)
+  {
+    return a.vertex == b.vertex && a.shift == b.shift;
+  }
+  friend bool operator<(const Torus_site_3& a, const Torus_site_3& b)
+  {
+    return a.vertex != b.vertex ? a.vertex < b.vertex : a.shift < b.shift;
+  }
+};
+
+using Torus_sites_3 = Few<Torus_site_3, 4>;
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PERIODIC_TORUS_SHIFT_3_H
