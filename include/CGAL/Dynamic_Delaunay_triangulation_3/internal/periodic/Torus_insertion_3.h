@@ -18,7 +18,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 // Inserts vertices into Delaunay cells of a torus: the cells whose spheres contain an image of the
 // vertex are replaced by cells from their boundary to it. That fails if two of these cells are
-// images of each other, as among few points: then the images of the vertex are in each other's way.
+// images of each other, or of neighbors, as among few points: then the images of the vertex are in
+// each other's way.
 template <class State>
 class Torus_insertion_3
 {
@@ -101,7 +102,8 @@ private:
   }
 
   // Finds the cells in conflict, and the facets of their border. False if two cells are images of
-  // each other.
+  // each other, or what lies beyond the border is an image of a cell in conflict: there the images
+  // of the vertex would be in conflict with each other's new cells.
   bool find_conflicts(Cell_index first, const Torus_site_3& site)
   {
     m_conflicts.clear();
@@ -119,15 +121,16 @@ private:
         const Corner_index k = Arrays::corner(c, i);
         const Cell_index next = Arrays::cell_of(arrays().mirror(k));
         const Torus_shift_3 there = here - arrays().translation(k);
-        if (marks.has(next, conflicting) && m_shift[next] == there)
+        if (marks.has(next, conflicting)) {
+          if (m_shift[next] != there)
+            return false;
           continue;
+        }
         if (marks.has(next, bordering) && m_shift[next] == there) {
           m_border.push_back({k, here});
           continue;
         }
         if (is_in_conflict(next, {site.vertex, there})) {
-          if (marks.has(next, conflicting))
-            return false;
           marks.insert(next, conflicting);
           m_shift[next] = there;
           m_conflicts.push_back({next, there});
@@ -140,7 +143,9 @@ private:
         m_border.push_back({k, here});
       }
     }
-    return true;
+    return std::none_of(m_border.begin(), m_border.end(), [&](const Border& border) {
+      return marks.has(Arrays::cell_of(arrays().mirror(border.corner)), conflicting);
+    });
   }
 
   // Replaces the cells in conflict by cells over their border, in the chart in which the vertex has
@@ -167,8 +172,7 @@ private:
     for (std::size_t n = 0; n < cells; ++n)
       arrays().set_sites(m_made[n], m_sites[n]);
     connect_star();
-    const Cell_marks_3& marks = m_state.marks;
-    arrays().connect_outer(m_outer, [&](Cell_index c) { return marks.has(c, conflicting); });
+    arrays().connect_outer(m_outer, [](Cell_index) { return false; });
     for (const Cell_index c : m_made)
       arrays().normalize(c);
   }

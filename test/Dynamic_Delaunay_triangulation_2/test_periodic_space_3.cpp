@@ -1,0 +1,550 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Triangulations of points in periodic space of three dimensions.
+
+#include "periodic_space_oracle.h"
+
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace test_periodic_space_3 {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_3<Kernel>;
+using Point = Dynamic::Point;
+using Points = std::vector<Point>;
+using Cell = CGAL::Periodic_cell_3;
+using Coordinates = Cell::Coordinates;
+using periodic_space_oracle::cells_of;
+using periodic_space_oracle::Shift;
+using periodic_space_oracle::Site;
+
+std::map<std::size_t, Point> by_id(const Points& points)
+{
+  std::map<std::size_t, Point> result;
+  for (std::size_t id = 0; id < points.size(); ++id)
+    result.emplace(id, points[id]);
+  return result;
+}
+
+void expect_exact(const Dynamic& dt, const Points& points, const Cell& cell)
+{
+  periodic_space_oracle::expect_exact(dt, by_id(points), cell);
+}
+
+Points random_points(std::size_t number, double extent = 1, std::uint64_t seed = 7)
+{
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> coordinate(0, extent);
+  Points points;
+  for (std::size_t i = 0; i < number; ++i) {
+    const double x = coordinate(random), y = coordinate(random), z = coordinate(random);
+    points.emplace_back(x, y, z);
+  }
+  return points;
+}
+
+Points cubic_lattice(int side)
+{
+  Points points;
+  for (int x = 0; x < side; ++x)
+    for (int y = 0; y < side; ++y)
+      for (int z = 0; z < side; ++z)
+        points.emplace_back(x, y, z);
+  return points;
+}
+
+Points face_centered_lattice(int side)
+{
+  Points points;
+  for (const Point& p : cubic_lattice(2 * side))
+    if (int(p.x() + p.y() + p.z()) % 2 == 0)
+      points.push_back(p);
+  return points;
+}
+
+const Cell unit(1, 1, 1), box(3, 1, 0.5);
+const Cell triclinic(Coordinates{1, 0.1, 0.2}, Coordinates{0.5, -0.9, 0.1},
+                     Coordinates{7.3, 0.2, 1.1});
+const Cell mirrored(Coordinates{0, 1, 0}, Coordinates{1, 0, 0}, Coordinates{0.2, 0.3, 0.8});
+
+// CREATION ----------------------------------------------------------------------------------------
+
+TEST(Periodic_space, may_have_any_number_of_points_in_any_cell)
+{
+  for (const Cell& cell : {unit, box, triclinic, mirrored})
+    for (const std::size_t number : {0u, 1u, 2u, 3u, 4u, 5u, 8u, 20u, 101u, 300u}) {
+      const Points points = random_points(number, 5);
+      ASSERT_NO_FATAL_FAILURE(expect_exact(Dynamic(points, cell), points, cell)) << number;
+    }
+}
+
+TEST(Periodic_space, may_be_filled_by_a_lattice)
+{
+  for (const int side : {1, 2, 3, 5}) {
+    const Cell cubic(side, side, side), face_centered(2 * side, 2 * side, 2 * side);
+    const Points points = cubic_lattice(side), others = face_centered_lattice(side);
+    ASSERT_NO_FATAL_FAILURE(expect_exact(Dynamic(points, cubic), points, cubic)) << side;
+    ASSERT_NO_FATAL_FAILURE(expect_exact(Dynamic(others, face_centered), others, face_centered));
+  }
+}
+
+TEST(Periodic_space, may_have_all_points_in_one_place)
+{
+  Points crowd, line, plane;
+  for (const Point& p : random_points(150))
+    crowd.emplace_back(0.01 * p.x(), 0.01 * p.y(), 0.01 * p.z());
+  for (int i = 0; i < 40; ++i)
+    line.emplace_back(i / 64.0, 0.5, 0.5);
+  for (int i = 0; i < 64; ++i)
+    plane.emplace_back(i / 8 / 8.0, i % 8 / 8.0, 0);
+  for (const Points& points : {crowd, line, plane})
+    ASSERT_NO_FATAL_FAILURE(expect_exact(Dynamic(points, unit), points, unit));
+}
+
+// The finite cells of CGAL's triangulation of many images, of those that are near to the middle.
+std::set<std::array<Site, 4>> expected_cells(const Points& points, const Cell& cell, int around)
+{
+  using Base = CGAL::Triangulation_vertex_base_with_info_3<Site, Kernel>;
+  using Data = CGAL::Triangulation_data_structure_3<Base>;
+  CGAL::Delaunay_triangulation_3<Kernel, Data> dt;
+  for (std::size_t id = 0; id < points.size(); ++id)
+    for (int i = -around; i <= around; ++i)
+      for (int j = -around; j <= around; ++j)
+        for (int k = -around; k <= around; ++k) {
+          std::array<double, 3> x{points[id].x(), points[id].y(), points[id].z()};
+          for (std::size_t n = 0; n < 3; ++n)
+            x[n] += i * cell.a()[n] + j * cell.b()[n] + k * cell.c()[n];
+          dt.insert(Point(x[0], x[1], x[2]))->info() = {id, {i, j, k}};
+        }
+  std::set<std::array<Site, 4>> cells;
+  for (auto c = dt.finite_cells_begin(); c != dt.finite_cells_end(); ++c) {
+    std::array<Site, 4> sites;
+    for (int i = 0; i < 4; ++i)
+      sites[std::size_t(i)] = c->vertex(i)->info();
+    if (periodic_space_oracle::normalize(sites) == Shift())
+      cells.insert(sites);
+  }
+  return cells;
+}
+
+TEST(Periodic_space, has_the_cells_that_CGAL_finds_among_images)
+{
+  for (const Cell& cell : {unit, box, mirrored})
+    for (const std::size_t number : {1u, 2u, 5u, 12u}) {
+      Points points; // in the cell, so that images around it are enough; no ties
+      for (const Point& p : random_points(number, 1, number))
+        points.emplace_back(p.x() * cell.a()[0] + p.y() * cell.b()[0] + p.z() * cell.c()[0],
+                            p.x() * cell.a()[1] + p.y() * cell.b()[1] + p.z() * cell.c()[1],
+                            p.x() * cell.a()[2] + p.y() * cell.b()[2] + p.z() * cell.c()[2]);
+      if (number > 1)
+        EXPECT_EQ(cells_of(Dynamic(points, cell)), expected_cells(points, cell, 4)) << number;
+    }
+}
+
+// MOTION ------------------------------------------------------------------------------------------
+
+TEST(Motion_in_periodic_space, is_followed_at_any_step)
+{
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (const double step : {1e-4, 0.01, 0.03, 0.1, 0.3}) {
+    Points points = random_points(400);
+    Dynamic dt(points, unit);
+    for (int frame = 0; frame < 4; ++frame) {
+      for (Point& p : points) {
+        const double s = step / std::cbrt(400.0), x = p.x() + s * normal(random);
+        const double y = p.y() + s * normal(random), z = p.z() + s * normal(random);
+        p = Point(x - std::floor(x), y - std::floor(y), z - std::floor(z));
+      }
+      dt.update(points);
+      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, unit)) << step;
+    }
+  }
+}
+
+TEST(Motion_in_periodic_space, costs_nothing_where_points_are_only_wrapped)
+{
+  const Points points = random_points(500);
+  Dynamic dt(points, triclinic);
+  const auto before = cells_of(dt);
+  Points wrapped;
+  for (const Point& p : points) // exact: the shifts are multiples of large powers of 2
+    wrapped.push_back(p + 2 * Kernel::Vector_3(1, 0.1, 0.2));
+  EXPECT_LT(dt.update(wrapped).flips, 5u);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, wrapped, triclinic));
+}
+
+TEST(Motion_in_periodic_space, may_drift_for_ever)
+{
+  Points points = random_points(60);
+  Dynamic dt(points, unit);
+  for (int frame = 0; frame < 50; ++frame) {
+    int id = 0;
+    for (Point& p : points) {
+      ++id;
+      p = p + Kernel::Vector_3(0.4, id % 2 == 0 ? 0.03 : -0.03, id * 1e-3);
+    }
+    ASSERT_TRUE(dt.update(points).certified);
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, unit));
+}
+
+TEST(Cells_in_periodic_space, may_shear_and_be_flipped)
+{
+  Points points = random_points(300);
+  Dynamic dt(points, unit);
+  std::size_t rebuilds = 0;
+  for (int frame = 1; frame <= 60; ++frame) {
+    double strain = 0.02 * frame;
+    Points sheared;
+    for (const Point& p : points)
+      sheared.emplace_back(p.x() + strain * p.y(), p.y(), p.z());
+    if (strain > 0.5)
+      strain -= 1;
+    const Cell cell(Coordinates{1, 0, 0}, Coordinates{strain, 1, 0}, Coordinates{0, 0, 1});
+    rebuilds += dt.update(sheared, cell).rebuilt();
+    if (frame % 10 == 0 || frame == 25 || frame == 26)
+      ASSERT_NO_FATAL_FAILURE(expect_exact(dt, sheared, cell)) << frame;
+  }
+  EXPECT_LT(rebuilds, 3u);
+}
+
+// POINTS COME AND GO ------------------------------------------------------------------------------
+
+TEST(Points_in_periodic_space, come_and_go_one_by_one)
+{
+  std::map<std::size_t, Point> points;
+  Dynamic dt(mirrored);
+  for (const Point& p : random_points(150)) {
+    points.emplace(dt.insert(p), p);
+    if (points.size() < 12 || points.size() % 30 == 0)
+      ASSERT_NO_FATAL_FAILURE(periodic_space_oracle::expect_exact(dt, points, mirrored));
+  }
+  while (!points.empty()) {
+    dt.remove(points.begin()->first);
+    points.erase(points.begin());
+    if (points.size() < 12 || points.size() % 30 == 0)
+      ASSERT_NO_FATAL_FAILURE(periodic_space_oracle::expect_exact(dt, points, mirrored));
+  }
+}
+
+TEST(Points_in_periodic_space, share_a_vertex_where_images_coincide)
+{
+  Points points = random_points(60);
+  for (Point& p : points)
+    p = Point(std::floor(16 * p.x()) / 16, std::floor(16 * p.y()) / 16,
+              std::floor(16 * p.z()) / 16);
+  const Points first = points;
+  for (const Point& p : first)
+    points.emplace_back(p.x() + 1, p.y() - 3, p.z() + 2);
+  Dynamic dt(points, unit);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, unit));
+  EXPECT_LE(dt.number_of_vertices(), 60u);
+  for (std::size_t id = 60; id < 63; ++id)
+    points[id] = points[id] + Kernel::Vector_3(1e-3, 0, 0);
+  dt.update(points);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, unit));
+  points[61] = points[3] + Kernel::Vector_3(0, 1, 0);
+  dt.update(points);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, unit));
+  dt.remove(3);
+  std::map<std::size_t, Point> left = by_id(points);
+  left.erase(3);
+  ASSERT_NO_FATAL_FAILURE(periodic_space_oracle::expect_exact(dt, left, unit));
+}
+
+// RANDOM PROGRAMS ---------------------------------------------------------------------------------
+
+// A triangulation, the points and the cell that it should have, and what happens to all of them.
+class Program
+{
+public:
+  // With a grid, points are on its multiples, where many are on spheres, planes and each other.
+  Program(std::uint64_t seed, std::size_t number, double grid)
+    : m_random(seed)
+    , m_grid(grid)
+    , m_dt(m_cell)
+  {
+    insert(number);
+  }
+
+  const Dynamic& triangulation() const { return m_dt; }
+
+  void expect_exact() const { periodic_space_oracle::expect_exact(m_dt, m_points, m_cell); }
+
+  // As a fresh triangulation of these points, ties included.
+  void expect_as_fresh() const
+  {
+    Points points;
+    std::map<std::size_t, std::size_t> ids;
+    for (const auto& [id, point] : m_points) {
+      ids.emplace(points.size(), id);
+      points.push_back(point);
+    }
+    std::set<std::array<Site, 4>> expected;
+    const Dynamic fresh(points, m_cell);
+    if (fresh.number_of_vertices() != fresh.number_of_points())
+      return; // others may represent the points there
+    for (std::array<Site, 4> sites : cells_of(fresh)) {
+      for (Site& site : sites)
+        site.first = ids.at(site.first);
+      periodic_space_oracle::normalize(sites);
+      expected.insert(sites);
+    }
+    EXPECT_EQ(cells_of(m_dt), expected);
+  }
+
+  void do_something()
+  {
+    switch (number_below(14)) {
+    case 0:
+      return insert(1 + number_below(1 + m_points.size() / 4));
+    case 1:
+      return remove(number_below(1 + m_points.size() / 4));
+    case 2:
+      return insert(1);
+    case 3:
+      return remove(1);
+    case 4:
+      return move_some();
+    case 5:
+    case 6:
+    case 7:
+      return change_cell();
+    default:
+      return move_all();
+    }
+  }
+
+private:
+  using Position = std::array<double, 3>;
+
+  std::size_t number_below(std::size_t n)
+  {
+    return std::uniform_int_distribution<std::size_t>(0, n - 1)(m_random);
+  }
+  double between(double low, double high)
+  {
+    return std::uniform_real_distribution<double>(low, high)(m_random);
+  }
+  double on_grid(double x) const { return m_grid > 0 ? std::round(x / m_grid) * m_grid : x; }
+  Point point_at(const Position& p) const
+  {
+    return Point(on_grid(p[0]), on_grid(p[1]), on_grid(p[2]));
+  }
+  Point anywhere()
+  {
+    if (!m_points.empty() && number_below(12) == 0)
+      return image(m_points[some_id()]);
+    return point_at({between(-1, 2), between(-1, 2), between(-1, 2)});
+  }
+  Point image(const Point& p)
+  {
+    Position x{p.x(), p.y(), p.z()};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int multiple = int(number_below(5)) - 2;
+      for (std::size_t k = 0; k < 3; ++k)
+        x[k] += multiple * m_cell.vector(i)[k];
+    }
+    return Point(x[0], x[1], x[2]);
+  }
+  std::size_t some_id()
+  {
+    return std::next(m_points.begin(), std::ptrdiff_t(number_below(m_points.size())))->first;
+  }
+
+  void insert(std::size_t number)
+  {
+    Points points;
+    for (std::size_t i = 0; i < number; ++i)
+      points.push_back(anywhere());
+    std::vector<std::size_t> ids;
+    m_dt.insert(points.begin(), points.end(), std::back_inserter(ids));
+    ASSERT_EQ(ids.size(), number);
+    for (std::size_t i = 0; i < number; ++i)
+      ASSERT_TRUE(m_points.emplace(ids[i], points[i]).second);
+  }
+  void remove(std::size_t number)
+  {
+    std::vector<std::size_t> ids;
+    while (ids.size() < number && !m_points.empty()) {
+      ids.push_back(some_id());
+      m_points.erase(ids.back());
+    }
+    EXPECT_EQ(m_dt.remove(ids).removed, ids.size());
+  }
+  void move_some()
+  {
+    std::vector<std::pair<std::size_t, Point>> movers;
+    const std::size_t share = 1 + number_below(12);
+    for (auto& [id, point] : m_points)
+      if (number_below(share) == 0) {
+        point = anywhere();
+        movers.emplace_back(id, point);
+      }
+    EXPECT_TRUE(m_dt.move(movers).certified);
+  }
+
+  template <class Motion>
+  void update(const Motion& motion)
+  {
+    Points points(m_dt.number_of_ids(), Point(0, 0, 0));
+    for (auto& [id, point] : m_points)
+      points[id] = point = motion(point);
+    EXPECT_TRUE((number_below(2) == 0 ? m_dt.update(points, m_cell)
+                                      : m_dt.update(points.begin(), points.end(), m_cell))
+                    .certified);
+  }
+
+  void move_all()
+  {
+    static constexpr double steps[] = {0, 1e-6, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.3, 1};
+    const double spacing = std::cbrt(m_cell.volume() / double(m_points.size() + 1));
+    const double step = steps[number_below(9)] * spacing;
+    std::normal_distribution<double> normal;
+    const Position drift{between(-1, 1), between(-1, 1), between(-1, 1)};
+    const bool drifts = number_below(4) == 0, wraps = number_below(3) == 0;
+    const bool jumps = number_below(4) == 0, meet = number_below(6) == 0;
+    const Point place = anywhere();
+    update([&](const Point& p) {
+      if (jumps && number_below(20) == 0)
+        return anywhere();
+      if (meet && number_below(10) == 0)
+        return image(place);
+      const Point moved = point_at({p.x() + step * normal(m_random) + (drifts ? drift[0] : 0),
+                                    p.y() + step * normal(m_random) + (drifts ? drift[1] : 0),
+                                    p.z() + step * normal(m_random) + (drifts ? drift[2] : 0)});
+      return wraps && number_below(3) == 0 ? image(moved) : moved;
+    });
+  }
+
+  // Deforms the cell, with the points or without them, or takes other vectors for its lattice.
+  void change_cell()
+  {
+    std::array<Coordinates, 3> v{m_cell.a(), m_cell.b(), m_cell.c()};
+    const std::size_t i = number_below(3), j = (i + 1 + number_below(2)) % 3;
+    const bool carries = number_below(4) > 0;
+    double strain = 0;
+    std::array<double, 3> factors{1, 1, 1};
+    switch (number_below(4)) {
+    case 0: // another basis
+      for (std::size_t k = 0; k < 3; ++k)
+        v[i][k] += number_below(2) == 0 ? v[j][k] : -v[j][k];
+      break;
+    case 1: // a mirrored one
+      std::swap(v[i], v[j]);
+      break;
+    case 2: // shear
+      strain = m_grid > 0 ? m_grid : between(-0.3, 0.3);
+      break;
+    default: // expansion or contraction
+      for (double& factor : factors)
+        factor = m_grid > 0 ? 1 + double(number_below(2)) : between(0.6, 1.6);
+    }
+    const auto deformed = [&](const Position& p) {
+      return Position{p[0] * factors[0] + strain * p[1] * factors[1], p[1] * factors[1],
+                      p[2] * factors[2]};
+    };
+    for (Coordinates& vector : v)
+      vector = deformed(vector);
+    double largest = 0, smallest = 1e9;
+    for (const Coordinates& vector : v) {
+      const double length = std::hypot(vector[0], vector[1], vector[2]);
+      largest = (std::max)(largest, length);
+      smallest = (std::min)(smallest, length);
+    }
+    if (largest > 8 * smallest || largest > 10) { // long enough: begins anew
+      v = {Coordinates{1, 0, 0}, Coordinates{0, 1, 0}, Coordinates{0, 0, 1}};
+      strain = 0;
+      factors = {1, 1, 1};
+    }
+    m_cell = Cell(v[0], v[1], v[2]);
+    update([&](const Point& p) { return carries ? point_at(deformed({p.x(), p.y(), p.z()})) : p; });
+  }
+
+  std::mt19937_64 m_random;
+  double m_grid;
+  Cell m_cell = unit;
+  std::map<std::size_t, Point> m_points;
+  Dynamic m_dt;
+};
+
+std::size_t programs()
+{
+  const char* const text = std::getenv("PERIODIC_SPACE_PROGRAMS");
+  return text == nullptr ? 24 : std::size_t(std::atoi(text));
+}
+
+TEST(Random_programs_in_periodic_space, are_exact_after_each_operation)
+{
+  const std::size_t numbers[] = {0, 1, 3, 8, 20, 60, 150};
+  const double grids[] = {0, 0, 0, 0.25, 0.125};
+  for (std::size_t seed = 0; seed < programs(); ++seed) {
+    Program program(seed, numbers[seed % 7], grids[seed % 5]);
+    for (int i = 0; i < 12; ++i) {
+      program.do_something();
+      ASSERT_NO_FATAL_FAILURE(program.expect_exact()) << seed << ' ' << i;
+      ASSERT_NO_FATAL_FAILURE(program.expect_as_fresh());
+      ASSERT_FALSE(testing::Test::HasFailure()) << seed << ' ' << i;
+    }
+  }
+}
+
+// REFUSALS ----------------------------------------------------------------------------------------
+
+TEST(Refusals_in_periodic_space, change_nothing)
+{
+  const Points points = random_points(30);
+  Dynamic dt(points, unit);
+  const auto before = cells_of(dt);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Points bad = points;
+  bad[7] = Point(0, nan, 0);
+  EXPECT_THROW(dt.update(bad), CGAL::Non_finite_coordinate_error_3);
+  bad[7] = Point(0, 3e6, 0);
+  EXPECT_THROW(dt.update(bad), CGAL::Periodic_range_error_3);
+  EXPECT_THROW(dt.insert(bad[7]), CGAL::Periodic_range_error_3);
+  EXPECT_THROW(dt.move(3, bad[7]), CGAL::Periodic_range_error_3);
+  EXPECT_THROW(dt.update(points.begin(), points.end() - 1), CGAL::Point_count_error_2);
+  EXPECT_THROW(dt.remove(30), CGAL::Unknown_id_error_2);
+  EXPECT_THROW(dt.remove({3, 3}), CGAL::Repeated_id_error_2);
+  EXPECT_THROW(dt.update(points, Cell(1, 1, 1e-300)), CGAL::Periodic_cell_error_3);
+  EXPECT_THROW(Cell(1, 0, 1), CGAL::Periodic_cell_error_3);
+  EXPECT_THROW(Cell(1, nan, 1), CGAL::Periodic_cell_error_3);
+  EXPECT_EQ(cells_of(dt), before);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, unit));
+}
+
+TEST(Copies_in_periodic_space, go_their_own_ways)
+{
+  const Points points = random_points(80), others = random_points(80, 1, 8);
+  Dynamic dt(points, unit);
+  Dynamic copy(dt);
+  copy.update(others);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, unit));
+  ASSERT_NO_FATAL_FAILURE(expect_exact(copy, others, unit));
+  dt = std::move(copy);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, others, unit));
+}
+
+} // namespace test_periodic_space_3
