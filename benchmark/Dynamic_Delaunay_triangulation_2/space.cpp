@@ -21,6 +21,11 @@
 // `worst` is the slowest update of all threads, `/one` the median of the ratios of the second time
 // to the third, `/sequential` of the first to the third. All have to do the same flips.
 //
+// `periodic` are Poisson clouds in a cell that is repeated in all directions, a cube or
+// `triclinic`: the update, that of as many points in open space, and CGAL's insertion of the points
+// in a periodic cube, as a large set of points. `/CGAL` is the ratio of the medians of the last and
+// the first.
+//
 // `out of it` are nanoseconds a point of what comes out of a triangulation, beside the same by
 // CGAL's Delaunay triangulation: lists of all neighbors, volumes of all Voronoi cells (of CGAL's
 // from the circumcenters around each edge; it clips none to a box), and the nearest points of as
@@ -39,6 +44,7 @@
 #include "common/Table.h"
 #include "space/Frame_cases.h"
 #include "space/Outcome.h"
+#include "space/Periodic_cases.h"
 #include "space/Thread_cases.h"
 
 #include <CLI/CLI.hpp>
@@ -56,8 +62,9 @@ struct Options
   std::vector<std::size_t> points{10000, 100000};
   std::vector<double> steps{0.0001, 0.001, 0.01, 0.03, 0.1};
   std::vector<double> shares{0.01, 0.05, 0.08, 0.1, 0.2};
-  std::vector<std::string> kinds{"poisson", "lattice", "ball",  "exact_lattice", "slab",
-                                 "drift",   "streams", "jumps", "population",    "threads"};
+  std::vector<std::string> kinds{"poisson",    "lattice", "ball",    "exact_lattice",
+                                 "slab",       "drift",   "streams", "jumps",
+                                 "population", "threads", "periodic"};
   unsigned threads = 0; // all
   int frames = 0;
 
@@ -94,7 +101,7 @@ void write_frames(const Options& options, std::size_t n)
   table.write_head(std::to_string(n) + " points");
   space::write_construction(table, n);
   for (const std::string& kind : options.kinds) {
-    if (kind == "population" || kind == "threads") {
+    if (kind == "population" || kind == "threads" || kind == "periodic") {
       continue;
     }
     for (const double step : options.steps) {
@@ -104,6 +111,17 @@ void write_frames(const Options& options, std::size_t n)
   if (options.has_kind("population")) {
     for (const double share : options.shares) {
       space::write_population(table, n, share, options.frames_of(n));
+    }
+  }
+}
+
+void write_periodic(const Options& options, std::size_t n)
+{
+  common::Table table = space::periodic_table();
+  table.write_head(std::to_string(n) + " periodic points");
+  for (const std::string kind : {"cube", "triclinic"}) {
+    for (const double step : options.steps) {
+      space::write_periodic(table, kind, n, step, options.frames_of(n));
     }
   }
 }
@@ -142,6 +160,9 @@ bool run_space(const Options& options, const std::string& command)
     write_frames(options, n);
     if (options.has_kind("threads")) {
       write_threads(options, n);
+    }
+    if (options.has_kind("periodic")) {
+      write_periodic(options, n);
     }
   }
   std::cout << '\n' << command << std::endl;

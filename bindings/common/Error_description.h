@@ -4,8 +4,8 @@
 #ifndef BINDINGS_ERROR_DESCRIPTION_H
 #define BINDINGS_ERROR_DESCRIPTION_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_3.h>
 
 #include <cstddef>
 #include <exception>

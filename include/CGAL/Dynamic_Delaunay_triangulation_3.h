@@ -13,6 +13,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_options_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/version.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_frame_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_triangulation_settings_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_reader_3.h>
@@ -22,7 +23,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Simplex_changes_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Update_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/iterator.h>
 #include <CGAL/tags.h>
 

@@ -8,13 +8,13 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_update_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_cell_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/iterator.h>
-#include <CGAL/Periodic_cell_3.h>
 #include <CGAL/tags.h>
 
 #include <boost/property_map/property_map.hpp>

@@ -6,8 +6,8 @@
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_PERIODIC_SPACE_ORACLE_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_PERIODIC_SPACE_ORACLE_H
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_cell_3.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Periodic_cell_3.h>
 #include <CGAL/Simple_cartesian.h>
 
 #include <gtest/gtest.h>

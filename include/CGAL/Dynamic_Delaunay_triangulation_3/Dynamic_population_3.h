@@ -11,9 +11,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_3.h>
 
 #include <cstddef>
 #include <cstdint>

@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/Point_3.h>

@@ -6,12 +6,12 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_shift_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_cell_3.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
-#include <CGAL/Periodic_cell_3.h>
 
 #include <algorithm>
 #include <array>

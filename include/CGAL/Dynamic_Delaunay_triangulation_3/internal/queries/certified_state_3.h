@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 

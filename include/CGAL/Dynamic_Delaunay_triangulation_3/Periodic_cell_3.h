@@ -1,16 +1,16 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PERIODIC_CELL_3_H
-#define CGAL_PERIODIC_CELL_3_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_PERIODIC_CELL_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_PERIODIC_CELL_3_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_errors_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_shift_3.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
-#include <CGAL/Periodic_shift_3.h>
 
 #include <array>
 #include <cmath>
@@ -95,4 +95,4 @@ private:
 
 } // namespace CGAL
 
-#endif // CGAL_PERIODIC_CELL_3_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_PERIODIC_CELL_3_H

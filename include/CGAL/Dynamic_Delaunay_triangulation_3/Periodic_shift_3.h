@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_PERIODIC_SHIFT_3_H
-#define CGAL_PERIODIC_SHIFT_3_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_PERIODIC_SHIFT_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_PERIODIC_SHIFT_3_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -20,4 +20,4 @@ using Periodic_shift_3 = std::array<int, 3>;
 
 } // namespace CGAL
 
-#endif // CGAL_PERIODIC_SHIFT_3_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_PERIODIC_SHIFT_3_H
