@@ -449,7 +449,7 @@ private:
     switch (number_below(4)) {
     case 0: // another basis
       for (std::size_t k = 0; k < 3; ++k)
-        v[i][k] += number_below(2) == 0 ? v[j][k] : -v[j][k];
+        v[i][k] += carries ? v[j][k] : -v[j][k];
       break;
     case 1: // a mirrored one
       std::swap(v[i], v[j]);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -29,8 +30,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 class Torus_cells_3
 {
 public:
-  // 64 bytes.
-  struct Cell
+  // One line of a cache.
+  struct alignas(64) Cell
   {
     Vertices_3 vertices;
     Shifts_3 shifts;
@@ -346,17 +347,19 @@ public:
   // Cells in the order of their smallest vertices: a pass over them then reads positions in order.
   void sort_cells()
   {
-    std::vector<std::pair<Index, Cell_index>> order;
-    order.reserve(m_cells.size());
+    const auto key = [this](Cell_index c) {
+      return std::size_t(*std::min_element(vertices(c).begin(), vertices(c).end()));
+    };
+    std::vector<Index> next(m_corners.size() + 1, 0);
     for (Cell_index c(0); c < number_of_cells(); ++c)
-      order.emplace_back(*std::min_element(vertices(c).begin(), vertices(c).end()), c);
-    std::sort(order.begin(), order.end());
+      ++next[key(c) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
     Column<Cell_index, Cell_index> number(m_cells.size(), Cell_index(0));
-    for (std::size_t i = 0; i < order.size(); ++i)
-      number[order[i].second] = Cell_index(i);
+    for (Cell_index c(0); c < number_of_cells(); ++c)
+      number[c] = Cell_index(next[key(c)]++);
     Column<Cell_index, Cell> cells(m_cells.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      Cell& cell = cells[Cell_index(i)] = m_cells[order[i].second];
+    for (Cell_index c(0); c < number_of_cells(); ++c) {
+      Cell& cell = cells[number[c]] = m_cells[c];
       for (Corner_index& k : cell.mirrors)
         k = corner(number[cell_of(k)], place_of(k));
     }

@@ -42,7 +42,7 @@ public:
   double squared_error() const { return m_squared_error; }
 
   // Whether all images of a cell's vertices and of those beyond its facets have the shift 0.
-  bool is_without_shifts(const Cell& cell) const
+  BOOST_FORCEINLINE bool is_without_shifts(const Cell& cell) const
   {
     int codes = 0;
     for (int i = 0; i < 4; ++i) {
@@ -53,7 +53,7 @@ public:
   }
 
   // The position of an image. Large shifts are NaN.
-  Position_3 position(Vertex_index v, Torus_shift_3 shift) const
+  BOOST_FORCEINLINE Position_3 position(Vertex_index v, Torus_shift_3 shift) const
   {
     constexpr int middle = side / 2 * (1 + (1 << 10) + (1 << 20)), low = side - 1;
     const int code = shift.code + middle;
@@ -112,7 +112,7 @@ BOOST_FORCEINLINE void append_unproved_in_torus(const Few<Cell_index, lanes>& so
 // Tests the cells from `first` to before `beyond`. Cells without shifts, most of them, read
 // positions from where they are; for others images are computed first.
 template <int lanes>
-BOOST_FORCEINLINE void append_unproved_in_torus(const Torus_view_3& view, std::size_t first,
+BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::size_t first,
                                                 std::size_t beyond,
                                                 std::vector<Cell_index>& unproved)
 {
@@ -132,7 +132,7 @@ BOOST_FORCEINLINE void append_unproved_in_torus(const Torus_view_3& view, std::s
     return shifted.positions[i][place];
   };
   // too large shifts are not proved, whatever comparisons with NaN say
-  const auto append_shifted = [&](Cell_index c) {
+  const auto append_shifted = [&](Cell_index c) CGAL_DYNAMIC_DELAUNAY_INLINE {
     const Torus_view_3::Cell& cell = view.cell(c);
     Few<Position_3, 8>& positions = shifted.positions[shifted.number];
     double sum = 0;
@@ -192,7 +192,7 @@ void find_unproved_in_torus(const State& state, std::vector<Cell_index>& unprove
   Parts::for_each(cells, [&](std::size_t part, std::size_t first, std::size_t beyond) {
     std::vector<Cell_index>& list = parts == 1 ? unproved : lists[part];
     call_with_lanes([&, first, beyond](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
-      append_unproved_in_torus<lanes>(view, first, beyond, list);
+      append_unproved_in_lanes<lanes>(view, first, beyond, list);
     });
   });
   for (std::size_t part = 0; part < parts && parts > 1; ++part)

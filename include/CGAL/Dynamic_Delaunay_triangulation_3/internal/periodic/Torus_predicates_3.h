@@ -79,12 +79,15 @@ public:
     return !is_proved ? 0 : power.value < 0 ? 1 : -1;
   }
 
-  // The sign of the volume, if it is proved, else 0.
-  BOOST_FORCEINLINE int orientation() const
+  // The sign of the volume of b, c and d, if it is proved, else 0.
+  BOOST_FORCEINLINE static int orientation(const Points& b, const Points& c, const Points& d,
+                                           double squared_error)
   {
-    const double size = m_cell.size, volume = m_cell.volume;
-    const double bound = size * size * (volume_factor * size + error_of_volume * m_squared_error);
-    const bool is_proved = volume * volume > bound && !is_too_small() &&
+    const double volume = dot(b, cross(c, d));
+    const double size = larger(dot(b, b), larger(dot(c, c), dot(d, d)));
+    const double bound = size * size * (volume_factor * size + error_of_volume * squared_error);
+    const bool is_proved = volume * volume > bound && size > smallest_square &&
+                           size > most_error * squared_error &&
                            bound < std::numeric_limits<double>::infinity();
     return !is_proved ? 0 : volume < 0 ? -1 : 1;
   }
@@ -143,8 +146,19 @@ public:
   int orientation(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
                   const Torus_point_3& s) const
   {
-    if (const int sign = filter(p, q, r, s).orientation())
+    if (const int sign = filtered_orientation(p.rounded, q.rounded, r.rounded, s.rounded))
       return sign;
+    return exact_orientation(p, q, r, s);
+  }
+  // The sign, if positions prove it, which may be rounded, else 0.
+  int filtered_orientation(const Position_3& p, const Position_3& q, const Position_3& r,
+                           const Position_3& s) const
+  {
+    return Filter::orientation(way(p, q), way(p, r), way(p, s), m_squared_error);
+  }
+  int exact_orientation(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+                        const Torus_point_3& s) const
+  {
     return int(CGAL::sign(dot(m_torus.exact_vector(p, q),
                               cross(m_torus.exact_vector(p, r), m_torus.exact_vector(p, s)))));
   }
@@ -154,8 +168,20 @@ public:
   int side_of_sphere(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
                      const Torus_point_3& s, const Torus_point_3& t) const
   {
-    if (const int sign = filter(p, q, r, s).side_of_sphere(way(p, t)))
+    if (const int sign =
+            filtered_side_of_sphere(p.rounded, q.rounded, r.rounded, s.rounded, t.rounded))
       return sign;
+    return exact_side_of_sphere(p, q, r, s, t);
+  }
+  // The sign, if positions prove it, which may be rounded, else 0.
+  int filtered_side_of_sphere(const Position_3& p, const Position_3& q, const Position_3& r,
+                              const Position_3& s, const Position_3& t) const
+  {
+    return Filter(way(p, q), way(p, r), way(p, s), m_squared_error).side_of_sphere(way(p, t));
+  }
+  int exact_side_of_sphere(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+                           const Torus_point_3& s, const Torus_point_3& t) const
+  {
     return exact_side_of_sphere(m_torus.exact_vector(p, q), m_torus.exact_vector(p, r),
                                 m_torus.exact_vector(p, s), m_torus.exact_vector(p, t));
   }
@@ -200,15 +226,12 @@ public:
   Collinear_3 collinear_3_object() const { return {this}; }
 
 private:
-  static Points_in_lanes_3<double> way(const Torus_point_3& from, const Torus_point_3& to)
+  using Filter = Torus_filter_in_lanes_3<double>;
+
+  static Points_in_lanes_3<double> way(const Position_3& from, const Position_3& to)
   {
-    const Position_3 v = to.rounded - from.rounded;
+    const Position_3 v = to - from;
     return {v.x, v.y, v.z};
-  }
-  Torus_filter_in_lanes_3<double> filter(const Torus_point_3& p, const Torus_point_3& q,
-                                         const Torus_point_3& r, const Torus_point_3& s) const
-  {
-    return {way(p, q), way(p, r), way(p, s), m_squared_error};
   }
 
   static int exact_side_of_sphere(const Exact_vector_3& b, const Exact_vector_3& c,

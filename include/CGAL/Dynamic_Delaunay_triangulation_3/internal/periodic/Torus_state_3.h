@@ -120,7 +120,8 @@ public:
   }
   Position_3 position(const Torus_site_3& site) const
   {
-    return rounded(site, site.shift.multiples());
+    return site.shift == Torus_shift_3() ? positions.position(site.vertex)
+                                         : rounded(site, site.shift.multiples());
   }
 
   // The image of a base that is next to a position.
@@ -217,7 +218,10 @@ public:
   // 1 if the cell is positive, -1 if it is inverted, 0 if it is flat.
   int of(const Torus_sites_3& s) const
   {
-    return m_predicates.orientation(point(s[0]), point(s[1]), point(s[2]), point(s[3]));
+    if (const int sign = m_predicates.filtered_orientation(position(s[0]), position(s[1]),
+                                                           position(s[2]), position(s[3])))
+      return sign;
+    return m_predicates.exact_orientation(point(s[0]), point(s[1]), point(s[2]), point(s[3]));
   }
   bool is_positive(const Torus_sites_3& s) const { return of(s) > 0; }
 
@@ -231,12 +235,16 @@ public:
   // 1 if `other` is inside of the sphere of a positive cell, -1 if it is outside.
   int side_of_sphere(const Torus_sites_3& s, const Torus_site_3& other) const
   {
-    return m_predicates.side_of_sphere(point(s[0]), point(s[1]), point(s[2]), point(s[3]),
-                                       point(other));
+    if (const int sign = m_predicates.filtered_side_of_sphere(
+            position(s[0]), position(s[1]), position(s[2]), position(s[3]), position(other)))
+      return sign;
+    return m_predicates.exact_side_of_sphere(point(s[0]), point(s[1]), point(s[2]), point(s[3]),
+                                             point(other));
   }
 
 private:
   Torus_point_3 point(const Torus_site_3& site) const { return m_state.point(site); }
+  Position_3 position(const Torus_site_3& site) const { return m_state.position(site); }
 
   const State& m_state;
   Torus_predicates_3 m_predicates;
