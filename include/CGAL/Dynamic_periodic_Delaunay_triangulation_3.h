@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_options_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_update_3.h>
@@ -54,12 +55,20 @@ for all images chooses one of their triangulations: so it is unique.
 
 \tparam Traits a CGAL kernel whose points have coordinates of type `double`, such as
   `Exact_predicates_inexact_constructions_kernel`.
-\tparam ConcurrencyTag `Sequential_tag`, or `Parallel_tag`, which needs TBB: threads then share the
-  passes over all cells. Results do not depend on it.
+\tparam Options none, or `With_concurrency_2<ConcurrencyTag>`: `Sequential_tag`, the default, or
+  `Parallel_tag`, which needs TBB: threads then share the passes over all cells. Results do not
+  depend on it.
 */
-template <class Traits, class ConcurrencyTag = Sequential_tag>
+template <class Traits, class... Options>
 class Dynamic_periodic_Delaunay_triangulation_3
 {
+  static_assert(sizeof...(Options) <= 1 &&
+                    Dynamic_Delaunay_triangulations_2::internal::number_of_options<
+                        With_concurrency_2, Options...> == sizeof...(Options),
+                "after the traits, a triangulation in periodic space takes the option "
+                "With_concurrency_2<>, and nothing else");
+  using ConcurrencyTag = typename Dynamic_Delaunay_triangulations_2::internal::Option_2<
+      With_concurrency_2, Sequential_tag, Options...>::type;
   using State = Dynamic_Delaunay_triangulations_3::internal::Torus_state_3<Traits, ConcurrencyTag>;
   using Update = Dynamic_Delaunay_triangulations_3::internal::Torus_update_3<State>;
   using Input = Dynamic_Delaunay_triangulations_3::internal::Input_3<State>;

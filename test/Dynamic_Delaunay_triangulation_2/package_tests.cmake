@@ -60,7 +60,11 @@ if(NOT MSVC)
   add_refusal(compiled_updates compiled_updates "is for programs that define" -Wfatal-errors)
   add_refusal(rounded_predicates rounded_predicates "nothing could be certified")
   # Compilers go on after the first error, and after many.
-  set(all_errors $<IF:$<CXX_COMPILER_ID:GNU>,-fmax-errors=0,-ferror-limit=0>)
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    set(all_errors -fmax-errors=0)
+  else()
+    set(all_errors -ferror-limit=0)
+  endif()
   add_refusal(options options "and nothing else.*is given twice.*in the plane only.*in space takes" ${all_errors})
   # Each of them by name.
   set(kinds "becomes no vertex by itself" "an edge is no vertex" "become one" "assigned to a vertex" "lists alike"

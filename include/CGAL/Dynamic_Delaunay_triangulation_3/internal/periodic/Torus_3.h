@@ -78,6 +78,7 @@ public:
   {
     shorten_basis();
     set_vectors();
+    set_near();
     if (!is_measurable())
       refuse(m_cell, "doubles cannot tell how far points are apart in it");
   }
@@ -138,6 +139,8 @@ public:
   // Whether multiples of such a point can be counted.
   bool is_in_range(const Position_3& p) const
   {
+    if (std::abs(p.x) < m_near && std::abs(p.y) < m_near && std::abs(p.z) < m_near)
+      return true;
     return is_small(fractions(p)) &&
            is_small({product(m_inverse_of_cell[0], p), product(m_inverse_of_cell[1], p),
                      product(m_inverse_of_cell[2], p)});
@@ -174,9 +177,9 @@ public:
     return CGAL::is_zero(v.x) && CGAL::is_zero(v.y) && CGAL::is_zero(v.z);
   }
 
-  // The square of a length by which rounding moves a vector between two images at most, where
-  // bases have coordinates up to `largest`, and their multiples a sum up to `sum` in absolute
-  // value, and where the shifts of images have multiples up to `most_in_filter`.
+  // The square of a length by which rounding moves a vector between two images at most, where bases
+  // and positions have coordinates up to `largest`, multiples have absolute values of a sum up to
+  // `sum`, and shifts of images have multiples up to `most_in_filter`.
   //
   // Let u = 2^-53, and L and B be the largest coordinates of the cell's and the basis' vectors. A
   // coordinate of a basis vector, a sum of three products by integers whose absolute values sum up
@@ -213,6 +216,7 @@ private:
     m_inverse_of_cell = m_inverse;
     m_basis = basis;
     set_vectors();
+    set_near();
   }
 
   static double product(const Position_3& p, const Position_3& q)
@@ -266,6 +270,15 @@ private:
     for (std::size_t i = 0; i < 3; ++i)
       m_inverse[i] =
           (1 / m_determinant) * cross_product(m_vectors[(i + 1) % 3], m_vectors[(i + 2) % 3]);
+  }
+
+  void set_near()
+  {
+    double most = 0;
+    for (const auto* inverse : {&m_inverse, &m_inverse_of_cell})
+      for (const Position_3& row : *inverse)
+        most = (std::max)(most, squared_length(row));
+    m_near = max_multiple / (2 * std::sqrt(most));
   }
 
   // Whether fractions, and what is computed from them, mean something.
@@ -327,39 +340,52 @@ private:
     std::array<std::size_t, 3> order{0, 1, 2};
     std::sort(order.begin(), order.end(),
               [&](std::size_t i, std::size_t j) { return squares[i] < squares[j]; });
-    const auto multiple = [&](std::size_t i, std::size_t j) {
-      return std::rint(product(m_vectors[i], m_vectors[j]) / squares[i]);
-    };
     const std::size_t shortest = order[0], middle = order[1], longest = order[2];
-    const double of_middle = multiple(shortest, middle);
-    if (subtract(middle, {shortest, of_middle}, {shortest, 0}, squares[middle]))
+    const Position_3 a = m_vectors[shortest], b = m_vectors[middle];
+    const double of_middle = product(a, b) / squares[shortest];
+    if (is_too_much(of_middle)) {
+      take(middle, {shortest, std::rint(of_middle)}, {shortest, 0});
       return true;
-    const double k = multiple(shortest, longest), l = multiple(middle, longest);
-    for (const double m : {k, k - 1, k + 1, 0.0, 1.0, -1.0})
-      for (const double n : {l, l - 1, l + 1, 0.0})
-        if (subtract(longest, {shortest, m}, {middle, n}, squares[longest]))
+    }
+    // the multiples of both that lie beneath the longest one, however long that is
+    const Position_3 across = b - of_middle * a;
+    const double n = product(across, m_vectors[longest]) / squared_length(across);
+    const double m = product(a, m_vectors[longest] - std::rint(n) * b) / squares[shortest];
+    if (is_too_much(n) || is_too_much(m)) {
+      take(longest, {shortest, std::rint(m)}, {middle, std::rint(n)});
+      return true;
+    }
+    for (const double k : {0.0, 1.0, -1.0})
+      for (const double l : {0.0, 1.0, -1.0})
+        if (is_shorter(longest, {shortest, k}, {middle, l}, squares[longest])) {
+          take(longest, {shortest, k}, {middle, l});
           return true;
+        }
     return false;
   }
+  // Whether a projection can be made clearly shorter.
+  static bool is_too_much(double multiple) { return std::abs(multiple) > 0.501; }
+
   struct Multiple
   {
     std::size_t vector;
     double number;
   };
-  // Subtracts multiples of two vectors, if the result is clearly shorter.
-  bool subtract(std::size_t i, const Multiple& first, const Multiple& second, double square)
+  bool is_shorter(std::size_t i, const Multiple& first, const Multiple& second, double square) const
   {
     const Position_3 v = m_vectors[i] - first.number * m_vectors[first.vector] -
                          second.number * m_vectors[second.vector];
-    if (!(squared_length(v) < 0.999 * square))
-      return false;
+    return squared_length(v) < 0.999 * square;
+  }
+  // Subtracts multiples of two vectors from another one.
+  void take(std::size_t i, const Multiple& first, const Multiple& second)
+  {
     for (std::size_t n = 0; n < 3; ++n)
       m_basis[i][n] -=
           first.number * m_basis[first.vector][n] + second.number * m_basis[second.vector][n];
     for (const double number : m_basis[i])
       if (!(std::abs(number) < max_multiple))
         refuse(m_cell, "a short basis needs too large multiples of its vectors");
-    return true;
   }
 
   Periodic_cell_3 m_cell;
@@ -368,6 +394,7 @@ private:
   std::array<Exact_vector_3, 3> m_exact_vectors;
   double m_determinant = 0;
   double m_error = 0, m_largest = 0; // of coordinates of the basis
+  double m_near = 0;                 // points with smaller coordinates are in range
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

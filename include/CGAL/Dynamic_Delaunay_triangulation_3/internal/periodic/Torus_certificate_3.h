@@ -90,7 +90,9 @@ public:
       const double length = std::sqrt(size) + error;
       uncertainty += length * length * (0x1p-49 * length + 4 * error);
     }
-    if (uncertainty + 0x1p-50 * double(arrays().number_of_cells()) * whole < whole / 16)
+    // no number where an image is too far for rounded positions
+    if (std::isfinite(sum) &&
+        uncertainty + 0x1p-50 * double(arrays().number_of_cells()) * whole < whole / 16)
       return std::abs(sum - whole) < whole / 4;
     return covers_once_exactly();
   }

@@ -41,14 +41,12 @@ public:
   Result insert(Vertex_index v)
   {
     const auto [c, site] = locate(v);
-    if (!is_in_conflict(c, site)) {
+    if (!is_in_conflict(c, site)) // only vertices of a cell are in it and on its sphere
       for (const Torus_site_3& s : arrays().sites(c))
         if (m_signs.predicates().coincide(m_state.point(s), m_state.point(site))) {
           m_coinciding = s.vertex;
           return Result::COINCIDES;
         }
-      return Result::IS_IN_ITS_OWN_WAY; // cannot be, as the cell contains it
-    }
     if (!find_conflicts(c, site))
       return Result::IS_IN_ITS_OWN_WAY;
     replace_conflicts(v);

@@ -93,8 +93,8 @@ public:
     for (Vertex_index v(1); v <= sites.size(); ++v) {
       if (std::find(first.begin(), first.begin() + 4, v) != first.begin() + 4)
         continue;
-      if (const std::size_t start = hint(v - 1); start < sites.size())
-        if (const Corner_index k = m_arrays.corner_of(Vertex_index(start + 1)); k != null_index)
+      if (const std::size_t other = hint(v - 1); other < sites.size())
+        if (const Corner_index k = m_arrays.corner_of(Vertex_index(other + 1)); k != null_index)
           m_insertion.start_at(Arrays::cell_of(k));
       if (const Vertex_index other = m_insertion.insert(v); other != null_index)
         coincides(v - 1, other - 1);

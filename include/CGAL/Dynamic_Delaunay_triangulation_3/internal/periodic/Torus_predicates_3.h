@@ -128,12 +128,13 @@ private:
 // Ties. A lifting |x|^2 + e1 x^2 + e2 xy + e3 y^2 + e4 xz + e5 yz + e6 z^2, with infinitesimal e1
 // >> e2 >> ... > 0, takes the place of |x|^2. So where the in-sphere determinant is 0, its sign is
 // that of the first determinant with one of these monomials that is not 0. Translations change the
-// lifting by an affine function, and no sign: so the triangulation is periodic. It is unique: an
-// affine dependency of five points that span space, sum of l_i = 0, sum of l_i p_i = 0, would have
-// to fulfil sum of l_i p_i p_i^T = 0 for all determinants to be 0. But it divides the points into
-// two sets with a common point in their hulls (Radon), one of which has at most two points, on a
-// line; across this line all second moments of that set around the common point are 0, and so are
-// the other set's. Then all points are on that line.
+// lifting by an affine function, and no sign: so the triangulation is periodic. It is unique:
+// five points that span space have one affine dependency, sum of l_i = 0, sum of l_i p_i = 0, and
+// all determinants are 0 only if sum of l_i p_i p_i^T = 0. Points with positive l_i, and those with
+// negative ones, as masses, have equal sums then, and equal first and second moments. One of both
+// sets has at most two points, which are on a line; across this line it has no variance, nor then
+// has the other set, whose points are on the line, too. But no four of the points are on a line; so
+// one of the sets is a single point, both have no variance at all, and points coincide.
 class Torus_predicates_3
 {
 public:

@@ -28,7 +28,7 @@ struct Torus_shift_3
 {
   int code = 0;
 
-  static Torus_shift_3 of(const Multiples_3& m) { return {m[0] + (m[1] << 10) + (m[2] << 20)}; }
+  static Torus_shift_3 of(const Multiples_3& m) { return {m[0] + 0x400 * m[1] + 0x100000 * m[2]}; }
 
   Multiples_3 multiples() const
   {

@@ -51,9 +51,10 @@ public:
   {
     const Index vertices = m_state.number_of_vertices();
     const std::vector<Vertex_index> order = order_by_rounds(vertices);
+    covered.clear();
+    m_state.arrays.reset(vertices + 1);
     for (std::size_t number = few; vertices > 0; number *= 8) {
       covered.clear();
-      m_state.arrays.reset(vertices + 1);
       triangulate_with_images(order, (std::min)(number, std::size_t(vertices)), covered);
       if (insert_from(order, number, covered))
         break;

@@ -221,7 +221,7 @@ private:
     m_report.unproved = m_unproved.size();
     if (is_hopeless())
       return Reason::TOO_MUCH_BROKEN;
-    examine_unproved();
+    find_bad();
     const std::size_t vertices = m_state.number_of_vertices();
     if (m_bad.size() > few_inverted + vertices / inverted_share)
       return Reason::TOO_MUCH_BROKEN;
@@ -230,10 +230,7 @@ private:
     m_report.held = m_held.number();
     if (!is_held)
       return Reason::TOO_MUCH_BROKEN;
-    for (const std::vector<Cell_index>* cells : {&m_bad, &m_open})
-      for (const Cell_index c : *cells)
-        if (!m_state.arrays.is_free(c))
-          m_flips.open_cell(c);
+    open_illegal();
     m_flips.run();
     m_held.release();
     // only from a Delaunay triangulation can vertices be taken out, or be inserted into it
@@ -272,13 +269,27 @@ private:
     return false;
   }
 
-  // Finds cells that are not positive, and open facets.
-  void examine_unproved()
+  void find_bad()
   {
     m_bad.clear();
-    m_open.clear();
     for (const Cell_index c : m_unproved)
-      (m_flips.is_positive(c) ? m_open : m_bad).push_back(c);
+      if (!m_flips.is_positive(c))
+        m_bad.push_back(c);
+  }
+
+  // Opens the facets of cells that were not proved, each once.
+  void open_illegal()
+  {
+    Cell_marks_3& marks = m_state.marks;
+    marks.clear(m_state.arrays.number_of_cells());
+    for (const Cell_index c : m_unproved)
+      marks.insert(c);
+    for (const Cell_index c : m_unproved)
+      for (int i = 0; i < 4 && !m_state.arrays.is_free(c); ++i) {
+        const Corner_index k = Arrays::corner(c, i), mirror = m_state.arrays.mirror(k);
+        if (k < mirror || !marks.has(Arrays::cell_of(mirror)))
+          m_flips.open(k);
+      }
   }
 
   // Where flips are stuck, a vertex steps back, and is released again. False where that is
@@ -511,7 +522,7 @@ private:
   Torus_rebuild_3<State> m_rebuild;
 
   Update_report_3 m_report;
-  std::vector<Cell_index> m_unproved, m_bad, m_open, m_star;
+  std::vector<Cell_index> m_unproved, m_bad, m_star;
   std::vector<Vertex_index> m_waiting; // without cells
 };
 
