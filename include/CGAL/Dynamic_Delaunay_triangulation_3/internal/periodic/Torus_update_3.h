@@ -503,7 +503,10 @@ private:
     m_state.set_error(nullptr);
   }
 
-  static constexpr std::size_t most_broken = 3, sample = 64; // cells a vertex; cells
+  // A rebuild takes some 9 microseconds a point. Of 10,000 random points, steps of 0.18 mean
+  // spacings break 3.7 cells a vertex, and are mended in 7; of lattices that are shaken more cells
+  // are not proved, but fewer broken.
+  static constexpr std::size_t most_broken = 6, sample = 64; // cells a vertex; cells
   static constexpr std::size_t few_inverted = 16, inverted_share = 4, few_held = 20, held_share = 8;
   static constexpr std::size_t few_stuck = 16, stuck_share = 1024; // facets
   static constexpr int rounds = 4, steps = 100;                    // of retreats from them
