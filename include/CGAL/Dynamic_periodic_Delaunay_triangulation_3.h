@@ -32,6 +32,10 @@
 
 namespace CGAL {
 
+namespace Dynamic_Delaunay_triangulations_3::internal {
+struct Access_3; // of queries
+}
+
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Periodic
 
@@ -62,6 +66,7 @@ for all images chooses one of their triangulations: so it is unique.
 template <class Traits, class... Options>
 class Dynamic_periodic_Delaunay_triangulation_3
 {
+  friend Dynamic_Delaunay_triangulations_3::internal::Access_3;
   static_assert(sizeof...(Options) <= 1 &&
                     Dynamic_Delaunay_triangulations_2::internal::number_of_options<
                         With_concurrency_2, Options...> == sizeof...(Options),

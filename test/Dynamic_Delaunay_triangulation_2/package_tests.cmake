@@ -57,6 +57,7 @@ if(NOT MSVC)
       add_refusal(x87 fast_math "more digits than they have" -mfpmath=387 -Wfatal-errors)
     endif()
   endif()
+  add_refusal(periodic_boxes periodic_boxes "there are no boxes" -Wfatal-errors)
   add_refusal(compiled_updates compiled_updates "is for programs that define" -Wfatal-errors)
   add_refusal(rounded_predicates rounded_predicates "nothing could be certified")
   # Compilers go on after the first error, and after many.

@@ -12,7 +12,11 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/certified_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Flat_neighbors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Rows_by_id_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_images_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_sites_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Site_charts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Vertex_star_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_shift_3.h>
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
@@ -25,21 +29,25 @@ namespace CGAL {
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
-Neighbor lists of all points in space, as two plain arrays (compressed sparse rows): `neighbors()`
-holds the neighbors of all points, one list after the other, and `offsets()` tells where each list
-begins. A loop over all neighbors touches no triangulation, and the arrays can be passed to other
-programs as they are.
+Neighbor lists of all points, in open or in periodic space, as two plain arrays (compressed sparse
+rows): `neighbors()` holds the neighbors of all points, one list after the other, and `offsets()`
+tells where each list begins. In periodic space a third one, `shifts()`, tells which image each
+neighbor is. On request, `vectors()` has the ways to all neighbors. A loop over them touches no
+triangulation, and the arrays can be passed to other programs as they are.
 
-- The list of a point holds the other ends of its finite edges, smaller ids first.
+- The list of a point holds the other ends of its finite edges, smaller ids first. In periodic space
+  it may hold the point itself, by its images, and others several times, smaller shifts first, as
+  arrays are compared.
 - Points that coincide share the vertex of the one that was there first, the *representative*; the
   others are its *duplicates*. The list of a duplicate holds only its representative. The list of a
-  representative ends with its duplicates, smaller ids first.
+  representative ends with its duplicates, smaller ids first. In periodic space their shifts say
+  which images coincide.
 - The list of a removed id is empty.
 
-So the lists are symmetric. Where points are cospherical, several Delaunay triangulations are right,
-and the lists follow the one that is there; those of `Voronoi_cell_measures_3` do not depend on it.
-Without cells, for points in a plane or on a line, the lists are those of a Delaunay triangulation
-in their plane.
+So the lists are symmetric; the shifts are opposite. Where points are cospherical, several Delaunay
+triangulations are right, and the lists follow the one that is there; those of
+`Voronoi_cell_measures_3` do not depend on it. Without cells, for points in a plane or on a line in
+open space, the lists are those of a Delaunay triangulation in their plane.
 
 \cgalExample{Dynamic_Delaunay_triangulation_2/space_volumes.cpp}
 
@@ -55,6 +63,8 @@ public:
   using Id = std::uint32_t;
   /// the type of ids and counts.
   using size_type = std::size_t;
+  /// a vector: three doubles, `x`, `y` and `z`.
+  using Vector = Dynamic_Delaunay_triangulations_3::Position_3;
   /// the list of one point.
   using Neighbors = Iterator_range<std::vector<Id>::const_iterator>;
 
@@ -67,20 +77,21 @@ public:
   /// Cost: one walk around each edge, some 1.5 microseconds a point, which threads share if the
   /// triangulation has the `Parallel_tag`. The result does not depend on their number. If memory
   /// runs out, there are no lists.
-  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3` or a
+  ///   `Dynamic_periodic_Delaunay_triangulation_3`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
   /// \post `number_of_ids() == dt.number_of_ids()`
   template <class Dynamic>
   void compute(const Dynamic& dt)
   {
-    const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point floating_point;
-    const auto& state = Dynamic_Delaunay_triangulations_3::internal::certified_state(dt);
-    try {
-      list(state);
-    } catch (...) {
-      clear();
-      throw;
-    }
+    compute(dt, false);
+  }
+
+  /// does the same, and computes the vectors to all neighbors.
+  template <class Dynamic>
+  void compute_with_vectors(const Dynamic& dt)
+  {
+    compute(dt, true);
   }
 
   /// @}
@@ -96,6 +107,14 @@ public:
 
   /// all lists. The list of `id` is from `offsets()[id]` to before `offsets()[id + 1]`.
   const std::vector<Id>& neighbors() const { return m_neighbors; }
+
+  /// in periodic space, the shift of each entry of `neighbors()`: which image it is, as
+  /// `Dynamic_periodic_Delaunay_triangulation_3::for_each_neighbor()` says. Empty in open space.
+  const std::vector<Periodic_shift_3>& shifts() const { return m_shifts; }
+
+  /// after `compute_with_vectors()`, the vector from the point to each entry of `neighbors()`, in
+  /// periodic space to that image: as if rounded once, 0 where points coincide. Else empty.
+  const std::vector<Vector>& vectors() const { return m_vectors; }
 
   /// the list of a point. It is valid until the next `compute()`. \pre `id < number_of_ids()`
   Neighbors neighbors(size_type id) const
@@ -117,48 +136,98 @@ public:
   /// @}
 
 private:
+  using Point_id = Dynamic_Delaunay_triangulations_3::Point_id;
   using Vertex_index = Dynamic_Delaunay_triangulations_3::Vertex_index;
+  using Entry = Dynamic_Delaunay_triangulations_3::internal::Neighbor_entry_3;
 
   void clear()
   {
     m_rows.clear();
     m_neighbors.clear();
+    m_shifts.clear();
+    m_vectors.clear();
   }
 
-  template <class State>
-  void list(const State& state)
+  template <class Dynamic>
+  void compute(const Dynamic& dt, bool has_vectors)
+  {
+    using namespace Dynamic_Delaunay_triangulations_3::internal;
+    const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point floating_point;
+    const auto& state = certified_state(dt);
+    try {
+      list(state, Scaled_sites_3<State_of_3<Dynamic>>(state), has_vectors);
+    } catch (...) {
+      clear();
+      throw;
+    }
+  }
+
+  template <class State, class Sites>
+  void list(const State& state, const Sites& sites, bool has_vectors)
   {
     using namespace Dynamic_Delaunay_triangulations_3::internal;
     using Parts = typename State::Parts;
-    Flat_neighbors_3 flat;
-    if (!state.spans_space)
-      flat.list_ends(state);
-    std::vector<Vertex_star_3> stars(Parts::number(state.number_of_vertices(), least_stars<Parts>));
-    m_rows.compute(
-        state, 1,
-        [&](Vertex_index v, size_type part, std::vector<Id>& ids) {
-          const auto begin = std::ptrdiff_t(ids.size());
-          const auto add = [&](Vertex_index w, const auto&...) {
-            ids.push_back(state.ids.representative(w));
-          };
-          if (state.spans_space)
-            stars[part].for_each_neighbor(state.arrays, v, add);
-          else
-            flat.for_each_neighbor(v, add);
-          const auto middle = std::ptrdiff_t(ids.size());
-          state.ids.for_each_covered_at(v, [&](Id id, const auto&) { ids.push_back(id); });
-          std::sort(ids.begin() + begin, ids.begin() + middle);
-          std::sort(ids.begin() + middle, ids.end());
-        },
-        [&](size_type number) { m_neighbors.resize(number); },
-        [&](size_type entry, Id id) { m_neighbors[entry] = id; });
-    state.ids.for_each_covered([&](size_type id, Vertex_index v, const auto&) {
-      m_neighbors[offsets()[id]] = state.ids.representative(v);
+    using Arrays = typename State::Arrays;
+    if constexpr (!Site_charts_3<Arrays>::is_periodic)
+      if (!state.spans_space) {
+        Flat_neighbors_3 flat;
+        flat.list_ends(state);
+        return write(state, sites, has_vectors, [&](Vertex_index v, size_type, const auto& f) {
+          flat.for_each_neighbor(v, f);
+        });
+      }
+    std::vector<Vertex_star_3<Arrays>> stars(
+        Parts::number(state.number_of_vertices(), least_stars<Parts>));
+    write(state, sites, has_vectors, [&](Vertex_index v, size_type part, const auto& f) {
+      stars[part].for_each_neighbor(state.arrays, v, f);
     });
   }
 
-  Dynamic_Delaunay_triangulations_3::internal::Rows_by_id_3<Id> m_rows;
+  // Writes all lists. `for_each_neighbor(v, part, f)` calls f with the neighbors of a vertex.
+  template <class State, class Sites, class For_each_neighbor>
+  void write(const State& state, const Sites& sites, bool has_vectors,
+             const For_each_neighbor& for_each_neighbor)
+  {
+    m_rows.compute(
+        state, 1,
+        [&](Vertex_index v, size_type part, std::vector<Entry>& entries) {
+          const auto begin = std::ptrdiff_t(entries.size());
+          for_each_neighbor(
+              v, part, [&](const auto& w, const auto&...) { entries.push_back(sites.entry(w)); });
+          const auto middle = std::ptrdiff_t(entries.size());
+          state.ids.for_each_covered_at(v, [&](Point_id id, const auto&) {
+            entries.push_back({id, 0});
+          });
+          const auto is_before = [&](const Entry& a, const Entry& b) {
+            return sites.is_before(v, a, b);
+          };
+          std::sort(entries.begin() + begin, entries.begin() + middle, is_before);
+          std::sort(entries.begin() + middle, entries.end(), is_before);
+        },
+        [&](size_type number) {
+          m_neighbors.resize(number);
+          m_shifts.resize(sites.shown_shifts * number);
+          m_vectors.assign(has_vectors ? number : 0, Vector{0, 0, 0});
+        },
+        [&](Vertex_index v, size_type i, const Entry& entry) {
+          m_neighbors[i] = entry.id;
+          sites.show_shift(v, entry, [&](const Periodic_shift_3& shift) { m_shifts[i] = shift; });
+          if (has_vectors)
+            m_vectors[i] = sites.vector(v, entry);
+        });
+    state.ids.for_each_covered([&](Point_id id, Vertex_index v, const auto&) {
+      const size_type i = offsets()[id];
+      m_neighbors[i] = state.ids.representative(v);
+      sites.show_shift(v, {id, 0}, [&](const Periodic_shift_3& shift) {
+        m_shifts[i] = {-shift[0], -shift[1], -shift[2]};
+      });
+    });
+  }
+
+  Dynamic_Delaunay_triangulations_3::internal::Rows_by_id_3<Entry> m_rows;
   std::vector<Id> m_neighbors;
+  std::vector<Periodic_shift_3> m_shifts;
+  std::vector<Vector> m_vectors;
 };
 
 } // namespace CGAL

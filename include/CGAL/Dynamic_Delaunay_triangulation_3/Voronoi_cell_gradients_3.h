@@ -15,6 +15,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Measured_cells_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Rows_by_id_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_sites_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_shift_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 
 #include <algorithm>
@@ -28,8 +29,9 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 How the volumes of the Voronoi cells of points in space change when the points move: the volume of
-each cell, whole or in a box, differentiated by the position of its own point and by those of its
-neighbors. All other points leave it as it is. Tissues and foams move by such forces.
+each cell, whole, in open or in periodic space, or in a box, differentiated by the position of its
+own point and by those of its neighbors. All other points leave it as it is. Tissues and foams move
+by such forces.
 
 Let \f$V_i\f$ be the volume of the cell of point \f$i\f$, and \f$E\f$ a function of all volumes.
 With the weights \f$a_i = \partial E / \partial V_i\f$, which the caller computes from
@@ -57,6 +59,9 @@ are in the box; its walls do not move, so they add nothing.
   points into the box.
 - An unbounded cell has derivatives 0, and contributes nothing: its weights are ignored, whatever
   they are. In a box all cells are bounded.
+- In periodic space neighbors are images, and `shifts()` tells which. A derivative is that by the
+  position of one image, while all others stay; `gradients()` adds up those of all images of a
+  point, itself included, as these move together.
 - Points that coincide share a cell, as in `Voronoi_cell_measures_3`. Only their representative has
   derivatives, those of the whole cell's volume by the position of all of them together. Of
   `gradients()`, where the volume of each is an equal share of the cell's, each gets an equal
@@ -97,7 +102,8 @@ public:
   /// computes the derivatives of the volumes of whole cells.
   ///
   /// Cost: about that of `Voronoi_cell_measures_3::compute()`.
-  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3` or a
+  ///   `Dynamic_periodic_Delaunay_triangulation_3`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt)
@@ -108,12 +114,14 @@ public:
   /// computes the derivatives of the volumes of the parts of the cells in a box.
   ///
   /// Cost: about that of `Voronoi_cell_measures_3::compute()` with this box.
-  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`. No other compiles.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
   /// \throws Parameter_error_2 unless the extents of the box are from 0 to 1e100; nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt, const Bbox_3& box)
   {
+    static_assert(!Dynamic_Delaunay_triangulations_3::internal::is_periodic_3<Dynamic>,
+                  "in periodic space there are no boxes: compute(dt) takes whole cells");
     const Box bounds = Dynamic_Delaunay_triangulations_3::internal::checked_box(box);
     differentiate(dt, &bounds);
   }
@@ -163,6 +171,8 @@ public:
   /// the neighbors of all points, as in `Voronoi_cell_measures_3`. Those of `id` are from
   /// `offsets()[id]` to before `offsets()[id + 1]`.
   const std::vector<Id>& neighbors() const { return m_neighbors; }
+  /// in periodic space, the shift of each entry of `neighbors()`. Empty in open space.
+  const std::vector<Periodic_shift_3>& shifts() const { return m_shifts; }
   /// the derivative of the volume of an id by the position of each entry of `neighbors()`.
   const std::vector<Vector>& by_neighbors() const { return m_by_neighbors; }
 
@@ -171,7 +181,7 @@ public:
 private:
   struct Facet
   {
-    Id neighbor;
+    Dynamic_Delaunay_triangulations_3::internal::Neighbor_entry_3 neighbor;
     double x, y, z; // the derivative; sorting aligned vectors makes GCC tell of its ABI
   };
 
@@ -188,6 +198,7 @@ private:
   {
     m_rows.clear();
     m_neighbors.clear();
+    m_shifts.clear();
     m_by_neighbors.clear();
     resize(0);
   }
@@ -223,33 +234,35 @@ private:
           m_is_bounded[id] = cell.is_bounded;
           const auto begin = std::ptrdiff_t(facets.size());
           for (const auto& neighbor : cell.neighbors) {
-            facets.push_back({state.ids.representative(neighbor.vertex), 0, 0, 0});
+            facets.push_back({cells.sites().entry(neighbor.site), 0, 0, 0});
             if (cell.is_bounded)
               differentiate_facet(cells.sites(), v, neighbor, m_by_positions[id], facets.back());
           }
-          std::sort(facets.begin() + begin, facets.end(),
-                    [](const Facet& f, const Facet& g) { return f.neighbor < g.neighbor; });
+          std::sort(facets.begin() + begin, facets.end(), [&](const Facet& f, const Facet& g) {
+            return cells.sites().is_before(v, f.neighbor, g.neighbor);
+          });
         },
         [&](size_type number) {
           m_neighbors.resize(number);
+          m_shifts.resize(cells.sites().shown_shifts * number);
           m_by_neighbors.resize(number);
         },
-        [&](size_type entry, const Facet& facet) {
-          m_neighbors[entry] = facet.neighbor;
+        [&](Vertex_index v, size_type entry, const Facet& facet) {
+          m_neighbors[entry] = facet.neighbor.id;
+          cells.sites().show_shift(v, facet.neighbor,
+                                   [&](const Periodic_shift_3& s) { m_shifts[entry] = s; });
           m_by_neighbors[entry] = {facet.x, facet.y, facet.z};
         });
   }
 
   // Adds what a facet of the cell of v contributes.
-  template <class Sites>
-  static void
-  differentiate_facet(const Sites& sites, Vertex_index v,
-                      const Dynamic_Delaunay_triangulations_3::internal::Cell_neighbor_3& neighbor,
-                      Vector& by_position, Facet& facet)
+  template <class Sites, class Neighbor>
+  static void differentiate_facet(const Sites& sites, Vertex_index v, const Neighbor& neighbor,
+                                  Vector& by_position, Facet& facet)
   {
     using namespace Dynamic_Delaunay_triangulations_3::internal;
     const double unit = sites.unit() * sites.unit();
-    const Vector way = sites.vector(v, neighbor.vertex);
+    const Vector way = sites.vector(sites.site(v), neighbor.site);
     const double length = length_of(way);
     by_position = by_position + unit * divided(neighbor.moment, length);
     const Vector by = unit * divided(neighbor.area * way - neighbor.moment, length);
@@ -283,6 +296,7 @@ private:
   std::vector<unsigned char> m_is_bounded; // threads write them
   Dynamic_Delaunay_triangulations_3::internal::Rows_by_id_3<Facet> m_rows;
   std::vector<Id> m_neighbors;
+  std::vector<Periodic_shift_3> m_shifts;
   std::vector<Vector> m_by_neighbors;
 };
 

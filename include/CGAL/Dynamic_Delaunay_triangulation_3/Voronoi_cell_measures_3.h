@@ -15,11 +15,12 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/certified_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Measured_cells_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Rows_by_id_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_sites_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_shift_3.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <type_traits>
 #include <vector>
 
@@ -29,8 +30,8 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 The volumes, surface areas and centroids of the Voronoi cells of points in space, and the areas of
-the facets between them: of whole cells, or of what is in a box. The volume of a cell is the space
-that its point has for itself; its inverse is the local density.
+the facets between them: of whole cells, in open or in periodic space, or of what is in a box. The
+volume of a cell is the space that its point has for itself; its inverse is the local density.
 
 Volumes are in the cubed unit of the coordinates, areas in the squared unit, centroids in that unit.
 
@@ -45,6 +46,11 @@ Volumes are in the cubed unit of the coordinates, areas in the squared unit, cen
   space.
 - An unbounded cell, and a clipped one without volume, have no centroid. The point's own position
   takes its place: a relaxation leaves the point where it is.
+- In periodic space all cells are bounded, however few points there are, and their volumes add up to
+  that of the periodic cell. Neighbors are images, and `shifts()` tells which: a point can be a
+  neighbor of its own images, and of another point's several times. The centroid of each point, also
+  of one that coincides with another by a translation, is near the point as it was given, wrapped or
+  not. There are no boxes.
 - A facet with a neighbor that does not reach into the box has the area 0. Where a cell touches the
   box only from outside, rounding may leave it a tiny volume, and so a centroid there.
 - Removed ids have 0 for all measures, and no neighbors.
@@ -66,7 +72,9 @@ range of the corners. Facets whose planes include a small angle are less accurat
 their sum is not.
 
 Coordinates that are no doubles are subtracted first, then rounded. Points may be anywhere, but
-lengths below \f$10^{-50}\f$ times the largest coordinate are not measured accurately.
+lengths below \f$10^{-50}\f$ times the largest coordinate are not measured accurately; in periodic
+space, \f$10^{-50}\f$ times the size of the cell. There vectors between images are not rounded more
+than others, however many cells away from the origin the points were given.
 
 \cgalExample{Dynamic_Delaunay_triangulation_2/space_volumes.cpp}
 
@@ -102,7 +110,8 @@ public:
   /// ends. Rational numbers take about ten more for each very flat Delaunay cell, and exact
   /// predicates about one for each facet between cospherical ones.
   ///
-  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3` or a
+  ///   `Dynamic_periodic_Delaunay_triangulation_3`.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt)
@@ -117,12 +126,14 @@ public:
   ///
   /// Cost: as above; for a point whose cell has corners outside of the box, some ten microseconds
   /// more: proportional to the number of its neighbors times the number of its cell's corners.
-  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`.
+  /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`. No other compiles.
   /// \throws Uncertified_triangulation_error_2 unless `dt.is_certified()`; nothing changes.
   /// \throws Parameter_error_2 unless the extents of the box are from 0 to 1e100; nothing changes.
   template <class Dynamic>
   void compute(const Dynamic& dt, const Bbox_3& box)
   {
+    static_assert(!Dynamic_Delaunay_triangulations_3::internal::is_periodic_3<Dynamic>,
+                  "in periodic space there are no boxes: compute(dt) measures whole cells");
     const Box bounds = Dynamic_Delaunay_triangulations_3::internal::checked_box(box);
     measure(dt, &bounds);
   }
@@ -157,9 +168,12 @@ public:
   /// where the facets of each id begin in `neighbors()` and `facet_areas()`, and where the last
   /// ones end: `number_of_ids() + 1` numbers.
   const std::vector<size_type>& offsets() const { return m_rows.offsets(); }
-  /// the neighbors of all points, smaller ids first for each. Those of `id` are from
-  /// `offsets()[id]` to before `offsets()[id + 1]`.
+  /// the neighbors of all points, smaller ids first for each, then smaller shifts, as arrays are
+  /// compared. Those of `id` are from `offsets()[id]` to before `offsets()[id + 1]`.
   const std::vector<Id>& neighbors() const { return m_neighbors; }
+  /// in periodic space, the shift of each entry of `neighbors()`: which image it is, as
+  /// `Dynamic_periodic_Delaunay_triangulation_3::for_each_neighbor()` says. Empty in open space.
+  const std::vector<Periodic_shift_3>& shifts() const { return m_shifts; }
   /// the area of the facet with each entry of `neighbors()`, the same seen from both sides.
   const std::vector<double>& facet_areas() const { return m_facet_areas; }
 
@@ -168,7 +182,7 @@ public:
 private:
   struct Facet
   {
-    Id neighbor;
+    Dynamic_Delaunay_triangulations_3::internal::Neighbor_entry_3 neighbor;
     double area;
   };
 
@@ -184,6 +198,7 @@ private:
   {
     m_rows.clear();
     m_neighbors.clear();
+    m_shifts.clear();
     m_facet_areas.clear();
     resize(0);
   }
@@ -197,7 +212,6 @@ private:
       resize(state.ids.number_of_ids());
       measure_vertices(state, box);
       share_facets<typename std::decay_t<decltype(state)>::Parts>();
-      share_cells(state);
     } catch (...) {
       clear();
       throw;
@@ -209,77 +223,80 @@ private:
   {
     using namespace Dynamic_Delaunay_triangulations_3::internal;
     Measured_cells_3<State> cells(state, box);
-    const double unit = cells.sites().unit();
+    const auto& sites = cells.sites();
+    const double unit = sites.unit();
     m_rows.compute(
         state, 0,
         [&](Vertex_index v, size_type part, std::vector<Facet>& facets) {
           const auto& cell = cells.measure(v, part);
-          store(state, v, cell);
+          store(sites, v, cell);
           const auto begin = std::ptrdiff_t(facets.size());
-          for (const Cell_neighbor_3& neighbor : cell.neighbors)
-            facets.push_back(
-                {state.ids.representative(neighbor.vertex), neighbor.area * unit * unit});
-          std::sort(facets.begin() + begin, facets.end(),
-                    [](const Facet& f, const Facet& g) { return f.neighbor < g.neighbor; });
+          for (const auto& neighbor : cell.neighbors)
+            facets.push_back({sites.entry(neighbor.site), neighbor.area * unit * unit});
+          std::sort(facets.begin() + begin, facets.end(), [&](const Facet& f, const Facet& g) {
+            return sites.is_before(v, f.neighbor, g.neighbor);
+          });
         },
         [&](size_type number) {
           m_neighbors.resize(number);
+          m_shifts.resize(sites.shown_shifts * number);
           m_facet_areas.resize(number);
         },
-        [&](size_type entry, const Facet& facet) {
-          m_neighbors[entry] = facet.neighbor;
+        [&](Vertex_index v, size_type entry, const Facet& facet) {
+          m_neighbors[entry] = facet.neighbor.id;
+          sites.show_shift(v, facet.neighbor,
+                           [&](const Periodic_shift_3& shift) { m_shifts[entry] = shift; });
           m_facet_areas[entry] = facet.area;
         });
   }
 
-  template <class State, class Cell>
-  void store(const State& state, Vertex_index v, const Cell& cell)
+  // Points that coincide get equal shares of the volume.
+  template <class Sites, class Cell>
+  void store(const Sites& sites, Vertex_index v, const Cell& cell)
   {
-    using Dynamic_Delaunay_triangulations_3::internal::is_finite;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const Point_id id = state.ids.representative(v);
-    const auto& [volume, surface, centroid] = cell.measures;
-    m_volumes[id] = volume;
-    m_surface_areas[id] = surface;
-    m_is_bounded[id] = cell.is_bounded;
-    const bool has_centroid = volume > 0 && volume < infinity && is_finite(centroid);
-    m_centroids[id] = has_centroid ? centroid : state.positions.position(v);
+    const auto& ids = sites.state().ids;
+    double points = 1;
+    ids.for_each_covered_at(v, [&](const auto&...) { ++points; });
+    const auto store_at = [&](Point_id id, const Position& given) {
+      m_volumes[id] = cell.measures.volume / points;
+      m_surface_areas[id] = cell.measures.surface;
+      m_is_bounded[id] = cell.is_bounded;
+      m_centroids[id] = cell.centroid(given);
+    };
+    store_at(ids.representative(v), sites.given_position(v));
+    ids.for_each_covered_at(
+        v, [&](Point_id id, const auto& point) { store_at(id, sites.given_position(v, point)); });
   }
 
-  // Takes the area of each facet from the cell of the smaller id.
+  // Takes the area of each facet from the cell of the smaller id, or of the smaller shift.
   template <class Parts>
   void share_facets()
   {
     Parts::for_each_element(number_of_ids(), [&](size_type id) {
       for (size_type entry = offsets()[id]; entry < offsets()[id + 1]; ++entry) {
-        const size_type other = m_neighbors[entry];
-        if (other >= id)
+        if (m_neighbors[entry] > id)
           break;
-        const auto row = m_neighbors.begin();
-        const auto twin =
-            std::lower_bound(row + std::ptrdiff_t(offsets()[other]),
-                             row + std::ptrdiff_t(offsets()[other + 1]), static_cast<Id>(id));
-        m_facet_areas[entry] = m_facet_areas[size_type(twin - row)];
+        if (const size_type twin = twin_of(id, entry); twin < entry)
+          m_facet_areas[entry] = m_facet_areas[twin];
       }
     });
   }
 
-  // Gives points that coincide their shares.
-  template <class State>
-  void share_cells(const State& state)
+  // The entry of the same facet in the row of the neighbor.
+  size_type twin_of(size_type id, size_type entry) const
   {
-    std::vector<double> points(state.ids.number_of_covered() > 0 ? number_of_ids() : 0, 1);
-    state.ids.for_each_covered(
-        [&](Point_id, Vertex_index v, const auto&) { ++points[state.ids.representative(v)]; });
-    state.ids.for_each_covered([&](Point_id id, Vertex_index v, const auto&) {
-      const size_type first = state.ids.representative(v);
-      m_volumes[id] = m_volumes[first] / points[first];
-      m_surface_areas[id] = m_surface_areas[first];
-      m_centroids[id] = m_centroids[first];
-      m_is_bounded[id] = m_is_bounded[first];
-    });
-    for (size_type id = 0; id < points.size(); ++id)
-      m_volumes[id] /= points[id];
+    const size_type other = m_neighbors[entry];
+    const auto row = m_neighbors.begin();
+    const auto first =
+        std::lower_bound(row + std::ptrdiff_t(offsets()[other]),
+                         row + std::ptrdiff_t(offsets()[other + 1]), static_cast<Id>(id));
+    auto twin = size_type(first - row);
+    if (m_shifts.empty())
+      return twin;
+    const Periodic_shift_3& shift = m_shifts[entry];
+    while (m_shifts[twin] != Periodic_shift_3{-shift[0], -shift[1], -shift[2]})
+      ++twin;
+    return twin;
   }
 
   std::vector<double> m_volumes, m_surface_areas;
@@ -287,6 +304,7 @@ private:
   std::vector<unsigned char> m_is_bounded; // threads write them
   Dynamic_Delaunay_triangulations_3::internal::Rows_by_id_3<Facet> m_rows;
   std::vector<Id> m_neighbors;
+  std::vector<Periodic_shift_3> m_shifts;
   std::vector<double> m_facet_areas;
 };
 

@@ -50,30 +50,31 @@ template <class State>
 class Boxed_cell_3
 {
   using Sites = Scaled_sites_3<State>;
+  using Neighbor = Cell_neighbor_3<Vertex_index>;
 
 public:
   // Measures the cell with these neighbors, and its facets with them. The centroid is not relative
   // to the vertex.
   Cell_measures_3 measure(const Sites& sites, Vertex_index v, const Box_3& box,
-                          std::vector<Cell_neighbor_3>& neighbors)
+                          std::vector<Neighbor>& neighbors)
   {
     const Position_3 p = sites.at(v), center = box.center();
     const bool is_afar = size_of(p - center) > 2 * box.reach();
     const Position_3 origin = is_afar ? center : p;
     m_polyhedron.start_box(box.low - origin, box.high - origin);
     std::size_t label = Cut_polyhedron_3::walls;
-    for (const Cell_neighbor_3& neighbor : neighbors) {
+    for (const Neighbor& neighbor : neighbors) {
       if (is_afar)
-        cut_from_afar(sites, v, neighbor.vertex, box, label++);
+        cut_from_afar(sites, v, neighbor.site, box, label++);
       else
-        m_polyhedron.cut(sites.bisector(v, neighbor.vertex), label++);
+        m_polyhedron.cut(sites.bisector(v, neighbor.site), label++);
     }
     m_facets.assign(label, {0, {0, 0, 0}});
     Cell_measures_3 measures;
     if (!m_polyhedron.is_empty())
       measures = m_polyhedron.measure(m_facets);
     label = Cut_polyhedron_3::walls;
-    for (Cell_neighbor_3& neighbor : neighbors) {
+    for (Neighbor& neighbor : neighbors) {
       const Measured_facet_3& facet = m_facets[label++];
       neighbor.area = facet.area;
       neighbor.moment = facet.moment + facet.area * (origin - p);

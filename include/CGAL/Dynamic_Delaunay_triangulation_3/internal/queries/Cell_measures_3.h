@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_sites_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Site_charts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Vertex_star_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Voronoi_vertices_3.h>
 
@@ -27,9 +28,10 @@ struct Cell_measures_3
 
 // One neighbor of a cell, the area of the facet between both, and that area times the vector from
 // the vertex of the cell to the centroid of the facet.
+template <class Site>
 struct Cell_neighbor_3
 {
-  Vertex_index vertex;
+  Site site;
   double area;
   Position_3 moment{0, 0, 0};
 };
@@ -39,7 +41,12 @@ struct Cell_neighbor_3
 template <class State>
 class Whole_cell_3
 {
+  using Charts = Site_charts_3<typename State::Arrays>;
+  using Site = typename Charts::Site;
+
 public:
+  using Neighbor = Cell_neighbor_3<Site>;
+
   // Lists the neighbors with which the cell of v shares an area, and measures it.
   Cell_measures_3 measure(const Voronoi_vertices_3<State>& vertices, Vertex_index v)
   {
@@ -49,7 +56,7 @@ public:
     m_is_bounded = true;
     m_low = m_high = {0, 0, 0};
     m_star.for_each_neighbor(
-        vertices.sites().state().arrays, v, [&](Vertex_index w, const Cell_ring_3& ring) {
+        vertices.sites().state().arrays, v, [&](const Site& w, const Cell_ring_3<Charts>& ring) {
           vertices.see(v, ring, m_corners);
           const bool is_bounded = std::none_of(m_corners.begin(), m_corners.end(),
                                                Voronoi_vertices_3<State>::is_infinite);
@@ -58,14 +65,14 @@ public:
             return;
           m_neighbors.push_back({w, infinity});
           if (is_bounded)
-            add_facet(vertices.sites().bisector(v, w), m_neighbors.back());
+            add_facet(vertices.sites().bisector(Charts::site(v), w), m_neighbors.back());
         });
     if (!m_is_bounded)
       return {infinity, infinity};
     return {m_volume, m_surface, (1 / m_volume) * m_moment};
   }
 
-  const std::vector<Cell_neighbor_3>& neighbors() const { return m_neighbors; }
+  const std::vector<Neighbor>& neighbors() const { return m_neighbors; }
   bool is_bounded() const { return m_is_bounded; }
   // Bounds on the coordinates of the corners of a bounded cell, relative to its vertex.
   const Position_3& low() const { return m_low; }
@@ -75,7 +82,7 @@ private:
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
   // Adds the pyramid over the facet with the corners in a plane, and measures the facet.
-  void add_facet(const Plane_3& plane, Cell_neighbor_3& facet)
+  void add_facet(const Plane_3& plane, Neighbor& facet)
   {
     const Position_3& first = m_corners[0];
     note_corner(first);
@@ -110,11 +117,11 @@ private:
     m_high = {(std::max)(m_high.x, p.x), (std::max)(m_high.y, p.y), (std::max)(m_high.z, p.z)};
   }
 
-  Vertex_star_3 m_star;
+  Vertex_star_3<typename State::Arrays> m_star;
   std::vector<Position_3> m_corners; // of a facet
   double m_volume = 0, m_surface = 0;
   Position_3 m_moment{0, 0, 0}; // the volume times the vector from the vertex to the centroid
-  std::vector<Cell_neighbor_3> m_neighbors;
+  std::vector<Neighbor> m_neighbors;
   bool m_is_bounded = true;
   Position_3 m_low{0, 0, 0}, m_high{0, 0, 0};
 };

@@ -26,8 +26,9 @@ class Rows_by_id_3
 {
 public:
   // Calls list(v, part, entries), which appends those of a vertex, for all vertices, then
-  // resize(number), with the number of all entries, then write(i, entry), which stores the i-th of
-  // all. The row of each covered point has so many more entries, which are not written.
+  // resize(number), with the number of all entries, then write(v, i, entry), which stores the i-th
+  // of all, one of v. The row of each covered point has so many more entries, which are not
+  // written.
   template <class State, class List, class Resize, class Write>
   void compute(const State& state, std::size_t entries_of_covered, const List& list,
                const Resize& resize, const Write& write)
@@ -54,7 +55,7 @@ public:
       auto entry = m_lists[part].begin();
       for (Vertex_index v(first + 1); v <= beyond; ++v)
         for (std::size_t i = m_offsets[row(v)]; i < m_offsets[row(v) + 1]; ++i)
-          write(i, *entry++);
+          write(v, i, *entry++);
     });
   }
 

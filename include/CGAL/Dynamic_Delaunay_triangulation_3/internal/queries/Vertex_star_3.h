@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Site_charts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Tetrahedra_arrays_3.h>
 
 #include <cstddef>
@@ -15,7 +16,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// A set of some indices, by hashes. Clearing it takes time proportional to the number of members.
+// A set of some indices, or of longer keys, by hashes. Clearing it takes time proportional to the
+// number of members.
 template <class Kind>
 class Sparse_set_3
 {
@@ -45,10 +47,18 @@ private:
   std::size_t place_of(Kind v) const
   {
     const std::size_t mask = m_table.size() - 1;
-    std::size_t place = ((Index(v) * 0x9e3779b1u) >> 7) & mask;
+    std::size_t place = hash(v) & mask;
     while (m_table[place] != v && m_table[place] != null_index)
       place = (place + 1) & mask;
     return place;
+  }
+
+  static std::size_t hash(Kind v)
+  {
+    if constexpr (sizeof(Kind) > sizeof(Index))
+      return std::size_t((v * 0x9e3779b97f4a7c15u) >> 39);
+    else
+      return (Index(v) * 0x9e3779b1u) >> 7;
   }
 
   void grow()
@@ -66,51 +76,59 @@ private:
   std::vector<std::size_t> m_places; // those in use
 };
 
-// A cell around an edge, and the vertex that it shares with the next cell.
+// A cell around an edge, and the site that it shares with the next cell.
+template <class Charts>
 struct Ring_cell_3
 {
-  Cell_index cell;
-  Vertex_index next;
+  typename Charts::Seen_cell cell;
+  typename Charts::Site next;
 };
 // The cells around an edge, counterclockwise as seen from the end of the edge.
-using Cell_ring_3 = std::vector<Ring_cell_3>;
+template <class Charts>
+using Cell_ring_3 = std::vector<Ring_cell_3<Charts>>;
 
 // Visits the neighbors of vertices, one vertex after the other. It marks no cells, so that each
 // thread can have one at little cost.
+template <class Arrays>
 class Vertex_star_3
 {
+  using Charts = Site_charts_3<Arrays>;
+  using Site = typename Charts::Site;
+  using Seen_cell = typename Charts::Seen_cell;
+
 public:
-  // Calls f(w, ring) for each finite neighbor w of v, with the cells around the edge from v to w.
+  // Calls f(w, ring) for each finite site w that is a neighbor of v, with the cells around the edge
+  // from v to w.
   template <class Function>
-  void for_each_neighbor(const Tetrahedra_arrays_3& arrays, Vertex_index v, const Function& f)
+  void for_each_neighbor(const Arrays& arrays, Vertex_index v, const Function& f)
   {
     m_found.clear();
     m_open.clear();
-    const Cell_index first = Tetrahedra_arrays_3::cell_of(arrays.corner_of(v));
-    for (const Vertex_index w : arrays.vertices(first))
-      if (w != v && m_open.empty())
+    const Site center = Charts::site(v);
+    const Seen_cell first = Charts::first_cell(arrays, v);
+    for (int place = 0; place < 4 && m_open.empty(); ++place)
+      if (const Site w = Charts::site(arrays, first, place); !(w == center))
         note(w, first);
     for (std::size_t n = 0; n < m_open.size(); ++n) {
       const auto [w, cell] = m_open[n];
-      walk_around(arrays, v, w, cell);
-      for (const Ring_cell_3& of_ring : m_ring)
+      walk_around(arrays, center, w, cell);
+      for (const Ring_cell_3<Charts>& of_ring : m_ring)
         note(of_ring.next, of_ring.cell);
       f(w, m_ring);
     }
   }
 
 private:
-  // The vertices around v are connected without the infinite one, too.
-  void note(Vertex_index w, Cell_index cell)
+  // The sites around v are connected without the infinite one, too.
+  void note(const Site& w, const Seen_cell& cell)
   {
-    if (w != infinite_index && m_found.insert(w))
+    if (!Charts::is_infinite(w) && m_found.insert(Charts::key(w)))
       m_open.emplace_back(w, cell);
   }
 
-  void walk_around(const Tetrahedra_arrays_3& arrays, Vertex_index v, Vertex_index w,
-                   Cell_index first)
+  void walk_around(const Arrays& arrays, const Site& v, const Site& w, const Seen_cell& first)
   {
-    const int from = arrays.place_of(first, v), to = arrays.place_of(first, w);
+    const int from = Charts::place_of(arrays, first, v), to = Charts::place_of(arrays, first, w);
     int leaving = 0;
     while (leaving == from || leaving == to)
       ++leaving;
@@ -118,20 +136,20 @@ private:
     if (!is_even(Few<int, 4>{from, to, leaving, staying}))
       std::swap(leaving, staying);
     m_ring.clear();
-    Cell_index cell = first;
-    Vertex_index next = arrays.vertices(cell)[staying];
+    Seen_cell cell = first;
+    Site next = Charts::site(arrays, cell, staying);
     do {
       m_ring.push_back({cell, next});
-      const Corner_index beyond = arrays.mirror(Tetrahedra_arrays_3::corner(cell, leaving));
-      cell = Tetrahedra_arrays_3::cell_of(beyond);
-      leaving = Tetrahedra_arrays_3::place_of_known(arrays.cell(cell), next);
-      next = arrays.vertex(beyond);
+      const Corner_index mirror = arrays.mirror(Arrays::corner(Charts::cell_of(cell), leaving));
+      cell = Charts::beyond(arrays, cell, leaving, mirror);
+      leaving = Charts::place_of_known(arrays, cell, next);
+      next = Charts::site(arrays, cell, Arrays::place_of(mirror));
     } while (cell != first);
   }
 
-  Sparse_set_3<Vertex_index> m_found;
-  std::vector<std::pair<Vertex_index, Cell_index>> m_open; // neighbors, each with a cell
-  Cell_ring_3 m_ring;
+  Sparse_set_3<typename Charts::Key> m_found;
+  std::vector<std::pair<Site, Seen_cell>> m_open; // neighbors, each with a cell
+  Cell_ring_3<Charts> m_ring;
 };
 
 // Visits the cells of vertices, one vertex after the other. It is for who needs no cells around

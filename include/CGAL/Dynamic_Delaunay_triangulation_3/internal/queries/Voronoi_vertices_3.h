@@ -7,11 +7,13 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_signs_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_sites_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Site_charts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Vertex_star_3.h>
-#include <CGAL/enum.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -32,22 +34,27 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 template <class State>
 class Voronoi_vertices_3
 {
+  using Arrays = typename State::Arrays;
+  using Charts = Site_charts_3<Arrays>;
+  using Site = typename Charts::Site;
+  using Cell_ring = Cell_ring_3<Charts>;
   using Sites = Scaled_sites_3<State>;
   using Number = typename Sites::Number;
   using Exact_vector = typename Sites::Exact_vector;
+  enum class Tie : unsigned char { unknown, no, yes };
 
 public:
   // The cells must exist, and the sites stay where they are, while this is used.
   explicit Voronoi_vertices_3(const Sites& sites)
     : m_sites(sites)
-    , m_signs(sites.state())
     , m_centers(sites.state().arrays.number_of_cells())
+    , m_ties(4 * m_centers.size())
   {
     State::Parts::for_each_element(m_centers.size(), [&](std::size_t c) {
       const double nan = std::numeric_limits<double>::quiet_NaN();
-      m_centers[Cell_index(c)] = arrays().is_infinite(Cell_index(c))
+      m_centers[Cell_index(c)] = Charts::is_infinite(arrays(), Cell_index(c))
                                      ? Position_3{nan, nan, nan}
-                                     : center(arrays().vertices(Cell_index(c)));
+                                     : center(Charts::sites(arrays(), Cell_index(c)));
     });
   }
 
@@ -55,13 +62,14 @@ public:
 
   // The corners of a facet, which are the centers of the cells around an edge from v, relative to
   // v; infinite cells have NaN.
-  void see(Vertex_index v, const Cell_ring_3& ring, std::vector<Position_3>& corners) const
+  void see(Vertex_index v, const Cell_ring& ring, std::vector<Position_3>& corners) const
   {
+    const Site site = Charts::site(v);
     corners.clear();
-    for (const Ring_cell_3& of_ring : ring) {
-      const Vertex_index first = arrays().vertices(of_ring.cell)[0];
-      const Position_3& center = m_centers[of_ring.cell];
-      corners.push_back(v == first ? center : m_sites.vector(v, first) + center);
+    for (const auto& of_ring : ring) {
+      const Site first = Charts::site(arrays(), of_ring.cell, 0);
+      const Position_3& center = m_centers[Charts::cell_of(of_ring.cell)];
+      corners.push_back(site == first ? center : m_sites.vector(site, first) + center);
     }
   }
   static bool is_infinite(const Position_3& corner) { return std::isnan(corner.x); }
@@ -71,7 +79,7 @@ public:
   // so there is an area if corners change three times, and none if they never do, or change twice:
   // to and fro. The infinite cells of coplanar hull facets have one infinite corner, others have
   // different ones.
-  bool span_area(Vertex_index v, Vertex_index w, const Cell_ring_3& ring,
+  bool span_area(Vertex_index v, const Site& w, const Cell_ring& ring,
                  const std::vector<Position_3>& corners) const
   {
     int changes = 0;
@@ -86,13 +94,13 @@ public:
   }
 
 private:
-  const Tetrahedra_arrays_3& arrays() const { return m_sites.state().arrays; }
-  static std::size_t next(const Cell_ring_3& ring, std::size_t i)
+  const Arrays& arrays() const { return m_sites.state().arrays; }
+  static std::size_t next(const Cell_ring& ring, std::size_t i)
   {
     return i + 1 < ring.size() ? i + 1 : 0;
   }
 
-  Position_3 center(const Vertices_3& v) const
+  Position_3 center(const Few<Site, 4>& v) const
   {
     const Position_3 b = m_sites.vector(v[0], v[1]), c = m_sites.vector(v[0], v[2]),
                      d = m_sites.vector(v[0], v[3]), cd = cross(c, d);
@@ -104,7 +112,7 @@ private:
     return (0.5 / volume) * (bb * cd + (cc * cross(d, b) + dd * cross(b, c)));
   }
 
-  Position_3 exact_center(const Vertices_3& v) const
+  Position_3 exact_center(const Few<Site, 4>& v) const
   {
     const Exact_vector b = m_sites.exact_vector(v[0], v[1]), c = m_sites.exact_vector(v[0], v[2]),
                        d = m_sites.exact_vector(v[0], v[3]);
@@ -139,22 +147,41 @@ private:
 
   // Whether the corners of the i-th cell and the next one, which are both finite or both infinite,
   // differ.
-  bool differ(Vertex_index v, Vertex_index w, const Cell_ring_3& ring, std::size_t i) const
+  bool differ(Vertex_index v, const Site& w, const Cell_ring& ring, std::size_t i) const
   {
-    const Vertex_index after = ring[next(ring, i)].next;
-    if (!arrays().is_infinite(ring[i].cell))
-      return m_signs.side_of_sphere(arrays().vertices(ring[i].cell), after) != 0;
-    // between two infinite cells is the infinite vertex; each has one other vertex besides v and w
-    const State& state = m_sites.state();
-    const Vertex_index before = ring[(i > 0 ? i : ring.size()) - 1].next;
-    return state.traits.orientation_3_object()(state.point(v), state.point(w), state.point(before),
-                                               state.point(after)) != COPLANAR;
+    const Ring_cell_3<Charts>& here = ring[i];
+    const Site& after = ring[next(ring, i)].next;
+    if constexpr (!Charts::is_periodic)
+      if (arrays().is_infinite(here.cell)) {
+        // between two of them is the infinite vertex; each has one other vertex besides v and w
+        const Vertex_index before = ring[(i > 0 ? i : ring.size()) - 1].next;
+        return !m_sites.are_coplanar(v, w, before, after);
+      }
+    const auto place_of = [&](const Site& s) { return Charts::place_of(arrays(), here.cell, s); };
+    const int opposite = 6 - place_of(Charts::site(v)) - place_of(w) - place_of(here.next);
+    const Cell_index cell = Charts::cell_of(here.cell);
+    return !is_on_sphere(Arrays::corner(cell, opposite), Charts::in_own_chart(here.cell, after));
+  }
+
+  // Whether the site beyond the facet opposite to a corner, in the chart of its cell, is on the
+  // sphere of the cell. This is asked from both ends of three edges, and found once; threads that
+  // ask at the same time find the same.
+  bool is_on_sphere(Corner_index k, const Site& beyond) const
+  {
+    std::atomic<Tie>& known = m_ties[(std::min)(Index(k), Index(arrays().mirror(k)))];
+    Tie tie = known.load(std::memory_order_relaxed);
+    if (tie == Tie::unknown) {
+      const auto& sites = Charts::sites(arrays(), Arrays::cell_of(k));
+      tie = m_sites.are_on_a_sphere(sites, beyond) ? Tie::yes : Tie::no;
+      known.store(tie, std::memory_order_relaxed);
+    }
+    return tie == Tie::yes;
   }
 
   const Sites& m_sites;
-  const Cell_signs_3<State> m_signs;
   Dynamic_Delaunay_triangulations_2::internal::Uninitialized_column<Cell_index, Position_3>
       m_centers;
+  mutable std::vector<std::atomic<Tie>> m_ties; // of facets, by the smaller of their corners
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

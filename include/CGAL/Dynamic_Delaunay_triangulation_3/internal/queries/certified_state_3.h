@@ -8,12 +8,22 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Site_charts_3.h>
+
+#include <type_traits>
+#include <utility>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
+template <class Dynamic>
+using State_of_3 = std::decay_t<decltype(Access_3::state(std::declval<const Dynamic&>()))>;
+
+template <class Dynamic>
+constexpr bool is_periodic_3 = Site_charts_3<typename State_of_3<Dynamic>::Arrays>::is_periodic;
+
 // What queries read. Throws where nothing is proved.
 template <class Dynamic>
-const auto& certified_state(const Dynamic& dt)
+const State_of_3<Dynamic>& certified_state(const Dynamic& dt)
 {
   if (!dt.is_certified())
     throw Uncertified_triangulation_error_2(
