@@ -40,6 +40,17 @@ using Cell = CGAL::Periodic_cell_3;
 using Coordinates = Cell::Coordinates;
 using Shift = CGAL::Periodic_shift_3;
 using Site = std::pair<std::size_t, Shift>;
+
+// That of the pairs. (g++ 12 warns that these, compared as arrays, may be uninitialized.)
+struct Site_order
+{
+  bool operator()(const Site& a, const Site& b) const
+  {
+    return std::tie(a.first, a.second[0], a.second[1], a.second[2]) <
+           std::tie(b.first, b.second[0], b.second[1], b.second[2]);
+  }
+};
+using Areas = std::map<Site, double, Site_order>;
 using Measures = CGAL::Voronoi_cell_measures_3;
 using Gradients = CGAL::Voronoi_cell_gradients_3;
 using Lists = CGAL::Delaunay_neighbor_lists_3;
@@ -78,9 +89,9 @@ const Cell triclinic({1.1, 0.03, -0.2}, {0.4, 0.9, 0.1}, {-0.3, 0.45, 1.2});
 const Cell skew({1, 0, 0}, {1.7, 1, 0}, {-1.6, 1.4, 0.8}); // its short basis has other vectors
 const Cell thin(1, 0.9, 0.06);
 
-std::map<Site, double> facets(const Measures& measures, std::size_t id)
+Areas facets(const Measures& measures, std::size_t id)
 {
-  std::map<Site, double> result;
+  Areas result;
   for (std::size_t i = measures.offsets()[id]; i < measures.offsets()[id + 1]; ++i) {
     const Site site(measures.neighbors()[i], measures.shifts()[i]);
     EXPECT_TRUE(result.emplace(site, measures.facet_areas()[i]).second);
@@ -240,7 +251,7 @@ void expect_cells_of_images(const Dynamic& dt, double radius)
     ASSERT_NEAR(measures.centroids()[id].x, expected.centroids()[i].x, 1e-6 * length);
     ASSERT_NEAR(measures.centroids()[id].y, expected.centroids()[i].y, 1e-6 * length);
     ASSERT_NEAR(measures.centroids()[id].z, expected.centroids()[i].z, 1e-6 * length);
-    std::map<Site, double> areas;
+    Areas areas;
     for (std::size_t k = expected.offsets()[i]; k < expected.offsets()[i + 1]; ++k)
       areas.emplace(sites[expected.neighbors()[k]], expected.facet_areas()[k]);
     for (const auto& [site, area] : facets(measures, id)) {
@@ -353,7 +364,7 @@ TEST(Periodic_cells, do_not_depend_on_the_images_that_are_given)
       const Point p = other.point(id);
       ASSERT_NEAR(c.x - p.x(), d.x - points[id].x(), 1e-8);
       ASSERT_NEAR(c.z - p.z(), d.z - points[id].z(), 1e-8);
-      std::map<Site, double> areas;
+      Areas areas;
       for (const auto& [site, area] : facets(measures, id)) {
         auto [j, shift] = site;
         if (frame == 0)
