@@ -297,8 +297,9 @@ TEST(Cells_in_periodic_space, may_shear_and_be_flipped)
       strain -= 1;
     const Cell cell(Coordinates{1, 0, 0}, Coordinates{strain, 1, 0}, Coordinates{0, 0, 1});
     rebuilds += dt.update(sheared, cell).rebuilt();
-    if (frame % 10 == 0 || frame == 25 || frame == 26)
+    if (frame % 10 == 0 || frame == 25 || frame == 26) {
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, sheared, cell)) << frame;
+    }
   }
   EXPECT_LT(rebuilds, 3u);
 }
@@ -311,14 +312,16 @@ TEST(Points_in_periodic_space, come_and_go_one_by_one)
   Dynamic dt(mirrored);
   for (const Point& p : random_points(150)) {
     points.emplace(dt.insert(p), p);
-    if (points.size() < 12 || points.size() % 30 == 0)
+    if (points.size() < 12 || points.size() % 30 == 0) {
       ASSERT_NO_FATAL_FAILURE(periodic_space_oracle::expect_exact(dt, points, mirrored));
+    }
   }
   while (!points.empty()) {
     dt.remove(points.begin()->first);
     points.erase(points.begin());
-    if (points.size() < 12 || points.size() % 30 == 0)
+    if (points.size() < 12 || points.size() % 30 == 0) {
       ASSERT_NO_FATAL_FAILURE(periodic_space_oracle::expect_exact(dt, points, mirrored));
+    }
   }
 }
 
