@@ -488,8 +488,9 @@ public:
   }
 
   /// calls `f(j, shift)` once for each neighbor of a point, or of its representative, in any order:
-  /// the image of point j by `shift`. Cost: proportional to the number of neighbors, for a list of
-  /// which it allocates memory. \throws Unknown_id_error_2 if no point has this id.
+  /// the image of point j by `shift`. Cost: it allocates two bytes for each cell, so it is linear;
+  /// for many points use `Delaunay_neighbor_lists_3`. \throws Unknown_id_error_2 if no point has
+  /// this id.
   template <class Function>
   void for_each_neighbor(size_type id, const Function& f) const
   {
