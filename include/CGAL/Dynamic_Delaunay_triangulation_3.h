@@ -19,7 +19,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_reader_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_writer_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Triangulation_state_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Open_space_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Simplex_changes_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Update_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
@@ -128,9 +128,9 @@ class Dynamic_Delaunay_triangulation_3
   using Policy = Option<With_policy_2, Always_dynamic_policy_2>;
 
   friend Dynamic_Delaunay_triangulations_3::internal::Access_3;
-  using State =
-      Dynamic_Delaunay_triangulations_3::internal::Triangulation_state_3<Traits, ConcurrencyTag>;
-  using Update = Dynamic_Delaunay_triangulations_3::internal::Update_3<State>;
+  using Space = Dynamic_Delaunay_triangulations_3::internal::Open_space_3<Traits, ConcurrencyTag>;
+  using State = typename Space::State;
+  using Update = Dynamic_Delaunay_triangulations_3::internal::Update_3<Space>;
   using Chosen_rebuilds = typename Update::Chosen_rebuilds;
   using Input = Dynamic_Delaunay_triangulations_3::internal::Input_3<State>;
   using Change = Dynamic_Delaunay_triangulations_3::internal::Change_3<typename Traits::Point_3>;
@@ -295,7 +295,7 @@ public:
       check_id(id);
       change.moved.emplace_back(id);
       change.moved_points.push_back(get(point_map, value));
-      Dynamic_Delaunay_triangulations_3::internal::checked_position(change.moved_points.back(), id);
+      m_core->state.check(change.moved_points.back(), id);
     }
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(change.moved);
     return run(change);

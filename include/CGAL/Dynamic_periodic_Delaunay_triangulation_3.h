@@ -10,9 +10,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_options_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_update_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_space_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Update_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_cell_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
 #include <CGAL/iterator.h>
@@ -74,8 +74,9 @@ class Dynamic_periodic_Delaunay_triangulation_3
                 "With_concurrency_2<>, and nothing else");
   using ConcurrencyTag = typename Dynamic_Delaunay_triangulations_2::internal::Option_2<
       With_concurrency_2, Sequential_tag, Options...>::type;
-  using State = Dynamic_Delaunay_triangulations_3::internal::Torus_state_3<Traits, ConcurrencyTag>;
-  using Update = Dynamic_Delaunay_triangulations_3::internal::Torus_update_3<State>;
+  using Space = Dynamic_Delaunay_triangulations_3::internal::Torus_space_3<Traits, ConcurrencyTag>;
+  using State = typename Space::State;
+  using Update = Dynamic_Delaunay_triangulations_3::internal::Update_3<Space>;
   using Input = Dynamic_Delaunay_triangulations_3::internal::Input_3<State>;
   using Change = Dynamic_Delaunay_triangulations_3::internal::Change_3<typename Traits::Point_3>;
   using Multiples = Dynamic_Delaunay_triangulations_3::internal::Multiples_3;
@@ -228,7 +229,8 @@ public:
                          const Periodic_cell_3& cell)
   {
     const Floating_point floating_point;
-    m_core->kernel.stage(first, beyond, point_map, cell);
+    m_core->kernel.staged().set_cell(m_core->state.torus, cell);
+    Input::stage(first, beyond, point_map, m_core->state, m_core->kernel.staged());
     Change change;
     change.is_frame = true;
     return m_core->kernel.run(change);
@@ -257,7 +259,7 @@ public:
       check_id(id);
       change.moved.emplace_back(id);
       change.moved_points.push_back(get(point_map, value));
-      Update::check(change.moved_points.back(), id, m_core->state.torus);
+      m_core->state.check(change.moved_points.back(), id);
     }
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(change.moved);
     return m_core->kernel.run(change);
@@ -304,8 +306,6 @@ public:
     const Floating_point floating_point;
     Change change;
     Input::read_newcomers(first, beyond, Identity_map(), m_core->state, change);
-    for (std::size_t i = 0; i < change.coming.size(); ++i)
-      Update::check(change.coming_points[i], change.coming[i], m_core->state.torus);
     const Update_report_3 report = m_core->kernel.run(change);
     for (const Point_id id : change.coming)
       *ids++ = size_type(id);
@@ -422,8 +422,7 @@ public:
     check_id(id);
     if (!ids().is_representative(Point_id(id)))
       return ids().covered_point(Point_id(id));
-    const auto& base = m_core->state.positions.base(ids().vertex(Point_id(id)));
-    return Point(base.x, base.y, base.z);
+    return m_core->state.point(ids().vertex(Point_id(id)));
   }
 
   /// the id of the representative of this point: of all points that coincide with it, the one that

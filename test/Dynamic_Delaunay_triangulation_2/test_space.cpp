@@ -519,8 +519,9 @@ TEST(Filter_in_space, proves_the_same_in_all_lanes)
   using namespace CGAL::Dynamic_Delaunay_triangulations_3;
   for (const std::size_t number : {5u, 6u, 7u, 8u, 500u}) {
     Points points = random_points(number);
-    internal::Triangulation_state_3<Epick, CGAL::Sequential_tag> state;
-    internal::Update_3<decltype(state)> update(state);
+    using Space = internal::Open_space_3<Epick, CGAL::Sequential_tag>;
+    Space::State state;
+    internal::Update_3<Space> update(state);
     internal::Change_3<Point> change;
     change.coming_points = points;
     state.ids.list_next_ids(number, change.coming);

@@ -444,9 +444,10 @@ TEST(Space_checkpoints, have_to_be_Delaunay)
 {
   using namespace CGAL::Dynamic_Delaunay_triangulations_3;
   using CGAL::Dynamic_Delaunay_triangulations_2::internal::Checkpoint_output_2;
-  using State = internal::Triangulation_state_3<Epick, CGAL::Sequential_tag>;
+  using Space = internal::Open_space_3<Epick, CGAL::Sequential_tag>;
+  using State = Space::State;
   State state;
-  internal::Update_3<State> update(state);
+  internal::Update_3<Space> update(state);
   internal::Change_3<Point> change;
   change.coming_points = random_points(14, 3);
   state.ids.list_next_ids(14, change.coming);
@@ -478,11 +479,12 @@ TEST(Space_checkpoints, have_to_be_Delaunay)
 TEST(Certificates_in_space, are_lost_where_points_are_elsewhere)
 {
   using namespace CGAL::Dynamic_Delaunay_triangulations_3;
-  using State = internal::Triangulation_state_3<Epick, CGAL::Sequential_tag>;
+  using Space = internal::Open_space_3<Epick, CGAL::Sequential_tag>;
+  using State = Space::State;
   for (const std::size_t number : {4u, 5u, 200u})
     for (const bool has_origin : {true, false}) {
       State state;
-      internal::Update_3<State> update(state);
+      internal::Update_3<Space> update(state);
       internal::Change_3<Point> change;
       change.coming_points = random_points(number, 3);
       state.ids.list_next_ids(number, change.coming);

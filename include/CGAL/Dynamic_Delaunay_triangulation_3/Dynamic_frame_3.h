@@ -33,9 +33,9 @@ change.
 template <class State>
 class Dynamic_frame_3
 {
-  using Arrays = Dynamic_Delaunay_triangulations_3::internal::Tetrahedra_arrays_3;
-  using Positions = Dynamic_Delaunay_triangulations_3::internal::Positions_3<typename State::Point>;
-  using Signs = Dynamic_Delaunay_triangulations_3::internal::Cell_signs_3<State>;
+  using Arrays = typename State::Arrays;
+  using Positions = typename State::Positions;
+  using Signs = typename Dynamic_Delaunay_triangulations_3::internal::Signs_of_3<State>::type;
 
 public:
   /// the type of all numbers: an unsigned integer of 32 bits.
@@ -121,10 +121,10 @@ public:
     const Arrays& arrays = m_state.arrays;
     if (arrays.is_infinite(c))
       return true;
-    if (!m_signs.is_positive(arrays.vertices(c)))
+    if (!m_signs.is_positive(arrays.sites(c)))
       return false;
     for (int i = 0; i < 4; ++i)
-      if (m_signs.is_illegal(arrays.vertices(c), arrays.apex(Arrays::corner(c, i))))
+      if (m_signs.is_illegal(arrays.sites(c), arrays.apex_site(Arrays::corner(c, i))))
         return false;
     return true;
   }

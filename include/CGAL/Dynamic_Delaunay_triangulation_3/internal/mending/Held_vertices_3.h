@@ -23,11 +23,10 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // at its old position. If cells stay inverted even so, flips are in the way: all of them are undone
 // and forbidden near these cells, and it all begins again; in the last attempt everything may
 // return to its old position, where all cells were positive.
-//
-// In open space and in periodic space, each with the flips of its cells.
-template <class State, class Flips = Lawson_flips_3<State>>
+template <class State>
 class Held_vertices_3
 {
+  using Flips = Lawson_flips_3<State>;
   using Arrays = typename State::Arrays;
   using Place = typename State::Place;
   using Positions = typename State::Positions;

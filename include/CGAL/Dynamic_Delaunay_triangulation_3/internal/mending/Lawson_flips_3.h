@@ -7,10 +7,11 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_signs_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Tetrahedra_arrays_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_arrays_3.h>
 
-#include <array>
+#include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
@@ -24,13 +25,22 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // volume of the hull, or lowers the lifted surface; so flips end (Joe 1989; Edelsbrunner and Shah
 // 1996). Flips may get stuck where several vertices of a facet are in each other's way; such facets
 // are remembered.
+//
+// On a torus the same is done with images in the place of vertices, as one chart sees them; there
+// are no infinite cells. A flip replaces different cells: then their images do not overlap, whatever
+// their neighbors are, and all images are flipped at once. Cells that are images of each other are
+// never flipped together.
 template <class State>
 class Lawson_flips_3
 {
-  using Arrays = Tetrahedra_arrays_3;
+  using Signs = typename Signs_of_3<State>::type;
+  using Arrays = typename State::Arrays;
+  using Site = typename Arrays::Site;
+  using Sites = typename Arrays::Sites;
+  using Translation = typename Arrays::Translation;
 
 public:
-  using Flipped = Arrays::Flipped;
+  using Flipped = typename Arrays::Flipped;
 
   explicit Lawson_flips_3(State& state)
     : m_state(state)
@@ -38,9 +48,9 @@ public:
   {
   }
 
-  const Cell_signs_3<State>& signs() const { return m_signs; }
+  const Signs& signs() const { return m_signs; }
   std::size_t number_of_flips() const { return m_number; }
-  bool is_positive(Cell_index c) const { return m_signs.is_positive(arrays().vertices(c)); }
+  bool is_positive(Cell_index c) const { return m_signs.is_positive(arrays().sites(c)); }
 
   // Gives memory back, too: after a rough frame these lists have some 100 bytes a point.
   void clear()
@@ -60,25 +70,25 @@ public:
   // until run().
   void open_cell(Cell_index c)
   {
-    const Vertices_3& v = arrays().vertices(c);
-    if (arrays().is_infinite(c) || !m_state.positions_are_exact) {
-      for (const Vertex_index w : v)
-        open(c, w);
-      return;
-    }
-    const auto filter = m_signs.filter_of(v);
-    for (int i = 0; i < 4; ++i)
-      if (filter.may_be_inside(m_signs.seen_from(v[0], arrays().apex(Arrays::corner(c, i)))))
-        m_finite.push_back({c, v[i]});
+    open_cell(c, [](Corner_index) { return true; });
   }
-  // Opens the facet of a cell opposite to a vertex: it is tested, and flipped if it is illegal.
-  // Facets between a finite and an infinite cell are never illegal.
-  void open(Cell_index c, Vertex_index v)
+  // Only those opposite to corners that `is_wanted` says.
+  template <class Predicate>
+  void open_cell(Cell_index c, const Predicate& is_wanted)
   {
-    if (!arrays().is_infinite(c))
-      m_finite.push_back({c, v});
-    else if (v != infinite_index)
-      m_infinite.push_back({c, v});
+    m_signs.for_each_doubtful(c, [&](int place) {
+      if (const Corner_index k = Arrays::corner(c, place); is_wanted(k))
+        open(k);
+    });
+  }
+  // Opens the facet opposite to a corner: it is tested, and flipped if it is illegal. Facets
+  // between a finite and an infinite cell are never illegal.
+  void open(Corner_index k)
+  {
+    if (!arrays().is_infinite(Arrays::cell_of(k)))
+      m_finite.push_back({k, arrays().vertex(k)});
+    else if (!Arrays::is_infinite(arrays().site(k)))
+      m_infinite.push_back({k, arrays().vertex(k)});
   }
 
   // Flips until no facet is open. Facets of the hull come first: finite flips rely on it.
@@ -90,8 +100,8 @@ public:
         return;
       const Facet facet = open.back();
       open.pop_back();
-      if (const Corner_index k = corner_of(facet); k != null_index && is_illegal(k))
-        if (!flip_illegal(k))
+      if (is_there(facet) && is_illegal(facet.corner))
+        if (!flip_illegal(facet.corner))
           m_stuck.push_back(facet);
     }
   }
@@ -101,50 +111,48 @@ public:
   Flipped right(Cell_index c)
   {
     for (int i = 0; i < 4; ++i)
-      if (const Flipped flipped = flip_right(arrays().corner(c, i)); flipped.number > 0)
+      if (const Flipped flipped = flip_right(Arrays::corner(c, i)); flipped.number > 0)
         return flipped;
-    return {{null_index, null_index, null_index}, 0};
+    return none();
   }
 
-  // Takes the list of facets at which flips were stuck, each with its cell and vertex; those that
-  // are legal or gone by now are left out.
+  // Takes the list of facets at which flips were stuck; those that are legal or gone by now are
+  // left out.
   std::vector<Corner_index> take_stuck()
   {
     std::vector<Corner_index> stuck;
     for (const Facet& facet : m_stuck)
-      if (const Corner_index k = corner_of(facet); k != null_index && is_illegal(k))
-        stuck.push_back(k);
+      if (is_there(facet) && is_illegal(facet.corner))
+        stuck.push_back(facet.corner);
     m_stuck.clear();
     return stuck;
   }
-  void remember_stuck(Corner_index k)
-  {
-    m_stuck.push_back({Arrays::cell_of(k), arrays().vertex(k)});
-  }
+  void remember_stuck(Corner_index k) { m_stuck.push_back({k, arrays().vertex(k)}); }
 
   bool is_illegal(Corner_index k) const
   {
     const Cell_index c = Arrays::cell_of(k), other = Arrays::cell_of(arrays().mirror(k));
     return arrays().is_infinite(c) == arrays().is_infinite(other) &&
-           m_signs.is_illegal(arrays().vertices(c), arrays().apex(k));
+           m_signs.is_illegal(arrays().sites(c), arrays().apex_site(k));
   }
 
   // The vertices of the cell at k that are in the way of a flip of the facet opposite to k.
   void append_obstacles(Corner_index k, std::vector<Vertex_index>& obstacles) const
   {
-    const Vertices_3& v = arrays().vertices(Arrays::cell_of(k));
+    const Sites s = arrays().sites(Arrays::cell_of(k));
     for (int i = 0; i < 4; ++i)
-      if (i != Arrays::place_of(k) && m_signs.with(v, i, arrays().apex(k)) <= 0)
+      if (i != Arrays::place_of(k) && m_signs.with(s, i, arrays().apex_site(k)) <= 0)
         for (int j = 0; j < 4; ++j)
           if (j != i && j != Arrays::place_of(k))
-            obstacles.push_back(v[j]);
+            obstacles.push_back(Arrays::vertex_of(s[j]));
   }
 
 private:
-  // The facet of a cell opposite to one of its vertices. Flips may have changed the cell since.
+  // The facet opposite to a corner with its vertex. Flips may have changed the cell since; then all
+  // facets around the new cells were opened by them.
   struct Facet
   {
-    Cell_index cell;
+    Corner_index corner;
     Vertex_index vertex;
   };
 
@@ -156,41 +164,59 @@ private:
     int sign = 0;
   };
 
+  static Flipped none() { return {{null_index, null_index, null_index}, 0, {}}; }
   Arrays& arrays() { return m_state.arrays; }
   const Arrays& arrays() const { return m_state.arrays; }
 
-  Corner_index corner_of(const Facet& facet) const
+  bool is_there(const Facet& facet) const
   {
-    if (arrays().is_free(facet.cell))
-      return null_index;
-    const int place = arrays().place_of(facet.cell, facet.vertex);
-    return place < 4 ? Arrays::corner(facet.cell, place) : Corner_index(null_index);
+    return Arrays::cell_of(facet.corner) < arrays().number_of_cells() &&
+           arrays().vertex(facet.corner) == facet.vertex;
   }
 
   Outlook outlook(Corner_index k) const
   {
     Outlook found;
-    const Vertices_3& v = arrays().vertices(Arrays::cell_of(k));
-    const Vertex_index beyond = arrays().apex(k);
+    const Sites s = arrays().sites(Arrays::cell_of(k));
+    const Site beyond = arrays().apex_site(k);
     for (int i = 0; i < 4; ++i)
       if (i != Arrays::place_of(k))
-        if (const int sign = m_signs.with(v, i, beyond); sign <= 0)
+        if (const int sign = m_signs.with(s, i, beyond); sign <= 0)
           found = {found.number + 1, i, sign};
     return found;
   }
 
-  // The neighbor that the two cells at a facet have in common, opposite to the vertex at `side`, or
-  // null_index.
-  Cell_index common_neighbor(Corner_index k, int side) const
+  // The corner at the mirror's cell opposite to the facet that is, in the cell of k, at `side`: the
+  // other facet of both cells with the edge between the remaining two vertices.
+  Corner_index opposite_in_mirror(Corner_index k, int side) const
+  {
+    const Cell_index other = Arrays::cell_of(arrays().mirror(k));
+    const Site s = arrays().site(Arrays::corner(Arrays::cell_of(k), side));
+    return Arrays::corner(
+        other, arrays().place_of(other, Arrays::translated_back(s, arrays().translation(k))));
+  }
+
+  // Whether the two cells at a facet have a neighbor in common, as seen in one chart, opposite to
+  // the vertex at `side`, and all three are different.
+  bool have_common_neighbor(Corner_index k, int side) const
   {
     const Cell_index c = Arrays::cell_of(k), other = Arrays::cell_of(arrays().mirror(k));
+    const Corner_index first = Arrays::corner(c, side), second = opposite_in_mirror(k, side);
     const Cell_index third = arrays().neighbor(c, side);
-    const int place = arrays().place_of(other, arrays().vertices(c)[side]);
-    return arrays().neighbor(other, place) == third ? third : Cell_index(null_index);
+    return c != other && c != third && other != third &&
+           Arrays::cell_of(arrays().mirror(second)) == third &&
+           arrays().translation(first) == arrays().translation(k) + arrays().translation(second);
+  }
+
+  bool are_different(Corner_index k) const
+  {
+    return Arrays::cell_of(k) != Arrays::cell_of(arrays().mirror(k));
   }
 
   bool flip_illegal(Corner_index k)
   {
+    if (!are_different(k))
+      return false;
     const Outlook found = outlook(k);
     if (found.number == 0) {
       flip_2_3(k);
@@ -198,7 +224,7 @@ private:
     }
     if (found.number > 1)
       return false;
-    if (common_neighbor(k, found.place) != null_index) {
+    if (have_common_neighbor(k, found.place)) {
       if (found.sign == 0)
         return false;
       flip_3_2(k, found.place);
@@ -213,87 +239,107 @@ private:
   bool flip_4_4(Corner_index k, int side)
   {
     const Cell_index c = Arrays::cell_of(k), other = Arrays::cell_of(arrays().mirror(k));
-    const Vertices_3 v = arrays().vertices(c);
-    const Vertex_index top = arrays().vertex(k), beyond = arrays().apex(k);
-    const Corner_index behind = arrays().cell(c).mirrors[side];
-    const Cell_index third = Arrays::cell_of(behind);
-    const Vertex_index opposite = arrays().vertex(behind);
-    const Cell_index fourth = arrays().neighbor(other, arrays().place_of(other, v[side]));
-    if (opposite == beyond || arrays().place_of(fourth, opposite) == 4 || third == fourth ||
-        arrays().neighbor(third, arrays().place_of(third, top)) != fourth)
+    const Corner_index first = Arrays::corner(c, side), second = opposite_in_mirror(k, side);
+    const Cell_index third = arrays().neighbor(c, side);
+    const Cell_index fourth = Arrays::cell_of(arrays().mirror(second));
+    if (third == fourth || third == c || third == other || fourth == c || fourth == other)
       return false;
-    const Vertices_3 w = arrays().vertices(third);
+    // all in the chart of c
+    const Sites s = arrays().sites(c);
+    const Translation of_third = arrays().translation(first);
+    const Translation of_fourth = arrays().translation(k) + arrays().translation(second);
+    const Site top = s[Arrays::place_of(k)], beyond = arrays().apex_site(k);
+    const Site opposite = arrays().apex_site(first);
+    const int place_of_top = arrays().place_of(third, Arrays::translated_back(top, of_third));
+    const Corner_index between = Arrays::corner(third, place_of_top);
+    if (opposite == beyond || arrays().neighbor(third, place_of_top) != fourth ||
+        of_third + arrays().translation(between) != of_fourth)
+      return false;
+    const Sites w = arrays().sites(third);
     for (int i = 0; i < 4; ++i)
       if (i != Arrays::place_of(k) && i != side &&
-          m_signs.with(w, arrays().place_of(third, v[i]), beyond) <= 0)
+          m_signs.with(w, arrays().place_of(third, Arrays::translated_back(s[i], of_third)),
+                       Arrays::translated_back(beyond, of_third)) <= 0)
         return false;
+    const Corner_index behind = arrays().mirror(first);
     flip_2_3(k);
     // the flat cell lies between the third one and the edge's other side
-    const Cell_index flat = arrays().neighbor(third, arrays().place_of(third, opposite));
-    flip_3_2(Arrays::corner(flat, arrays().place_of(flat, beyond)), arrays().place_of(flat, top));
+    const Corner_index flat = arrays().mirror(behind);
+    const Translation of_flat = arrays().translation(behind);
+    const auto in_flat = [&](const Site& site) {
+      return arrays().place_of(
+          Arrays::cell_of(flat),
+          Arrays::translated_back(Arrays::translated_back(site, of_third), of_flat));
+    };
+    flip_3_2(Arrays::corner(Arrays::cell_of(flat), in_flat(beyond)), in_flat(top));
     return true;
   }
 
   Flipped flip_right(Corner_index k)
   {
+    if (!are_different(k))
+      return none();
     const Outlook found = outlook(k);
-    const Cell_index c = Arrays::cell_of(k);
-    const Vertex_index top = arrays().vertex(k), beyond = arrays().apex(k);
-    if (found.number == 0 && !has_edge(top, beyond))
+    const Site top = arrays().site(k), beyond = arrays().apex_site(k);
+    if (found.number == 0 && !has_simplex(Few<Site, 2>{top, beyond}))
       return flip_2_3(k);
-    if (found.number == 1 && common_neighbor(k, found.place) != null_index &&
-        !has_facet(arrays().vertices(c)[found.place], top, beyond))
-      return flip_3_2(k, found.place);
-    return {{null_index, null_index, null_index}, 0};
+    if (found.number == 1 && have_common_neighbor(k, found.place)) {
+      const Site side = arrays().site(Arrays::corner(Arrays::cell_of(k), found.place));
+      if (!has_simplex(Few<Site, 3>{side, top, beyond}))
+        return flip_3_2(k, found.place);
+    }
+    return none();
   }
 
   Flipped flip_2_3(Corner_index k)
   {
-    const Vertex_index top = arrays().vertex(k), beyond = arrays().apex(k);
     const Flipped flipped = arrays().flip_2_3(k);
-    for (const Cell_index c : flipped.cells) {
-      open(c, beyond);
-      open(c, top);
-    }
-    ++m_number;
+    open_around(flipped);
     return flipped;
   }
-
   Flipped flip_3_2(Corner_index k, int side)
   {
-    const Vertex_index around[3] = {arrays().vertex(k), arrays().apex(k),
-                                    arrays().vertices(Arrays::cell_of(k))[side]};
     const Flipped flipped = arrays().flip_3_2(k, side);
-    for (int i = 0; i < 2; ++i)
-      for (const Vertex_index v : around)
-        open(flipped.cells[i], v);
-    ++m_number;
+    open_around(flipped);
     return flipped;
   }
 
-  bool has_edge(Vertex_index v, Vertex_index w)
+  // Opens the facets around new cells. Those between them are legal.
+  void open_around(const Flipped& flipped)
   {
-    if (v == infinite_index)
-      std::swap(v, w);
-    find_star(arrays(), v, m_state.marks, m_star);
-    for (const Cell_index c : m_star)
-      if (arrays().place_of(c, w) < 4)
-        return true;
-    return false;
+    for (const Corner_index k : flipped.outer)
+      open(k);
+    ++m_number;
   }
-  bool has_facet(Vertex_index u, Vertex_index v, Vertex_index w)
+
+  // Whether there is an edge or facet with these sites.
+  template <int number>
+  bool has_simplex(Few<Site, number> simplex)
   {
-    if (u == infinite_index)
-      std::swap(u, v);
-    find_star(arrays(), u, m_state.marks, m_star);
-    for (const Cell_index c : m_star)
-      if (arrays().place_of(c, v) < 4 && arrays().place_of(c, w) < 4)
+    if (Arrays::is_infinite(simplex[0])) // its star has the whole hull
+      std::swap(simplex[0], simplex[1]);
+    find_star(arrays(), Arrays::vertex_of(simplex[0]), m_state.marks, m_star);
+    return std::any_of(m_star.begin(), m_star.end(),
+                       [&](Cell_index c) { return has_simplex(c, simplex); });
+  }
+  template <int number>
+  bool has_simplex(Cell_index c, const Few<Site, number>& simplex) const
+  {
+    for (int i = 0; i < 4; ++i) {
+      const Site s = arrays().site(Arrays::corner(c, i));
+      if (Arrays::vertex_of(s) != Arrays::vertex_of(simplex[0]))
+        continue;
+      const Translation chart = Arrays::translation(s, simplex[0]);
+      if (std::all_of(simplex.begin() + 1, simplex.end(), [&](const Site& other) {
+            return arrays().place_of(c, Arrays::translated_back(other, chart)) < 4;
+          }))
         return true;
+    }
     return false;
   }
 
   State& m_state;
-  Cell_signs_3<State> m_signs;
+  Signs m_signs;
   std::vector<Facet> m_finite, m_infinite; // open
   std::vector<Facet> m_stuck;
   std::size_t m_number = 0;

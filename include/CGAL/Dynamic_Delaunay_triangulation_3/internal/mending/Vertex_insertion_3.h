@@ -25,6 +25,10 @@ class Vertex_insertion_3
   using Arrays = Tetrahedra_arrays_3;
 
 public:
+  explicit Vertex_insertion_3(State& state)
+    : Vertex_insertion_3(state, state.arrays, state.marks)
+  {
+  }
   Vertex_insertion_3(const State& state, Arrays& arrays, Cell_marks_3& marks)
     : m_arrays(arrays)
     , m_marks(marks)

@@ -25,22 +25,22 @@ class Vertex_removal_3
   using Arrays = Tetrahedra_arrays_3;
 
 public:
-  Vertex_removal_3(State& state, Lawson_flips_3<State>& flips)
+  explicit Vertex_removal_3(State& state)
     : m_state(state)
-    , m_flips(flips)
+    , m_signs(state)
     , m_filling_insertion(state, m_filling, m_filling_marks)
   {
   }
 
-  // Takes a vertex out; open are the facets of new cells. Returns whether that has succeeded, and
+  // Takes a vertex out, and opens the facets of new cells. Returns whether that has succeeded, and
   // changes nothing else. The vertex keeps its number, without cells.
-  bool remove(Vertex_index v)
+  bool remove(Vertex_index v, Lawson_flips_3<State>& flips)
   {
     find_star(arrays(), v, m_state.marks, m_hole);
     while (m_hole.size() <= most_cells) {
       find_border(v);
       if (triangulate_around() && match_border() && find_inside())
-        return are_new_cells_positive() && fill();
+        return are_new_cells_positive() && fill(flips);
       if (m_growth.empty())
         for (const Border& border : m_border)
           m_growth.push_back(Arrays::cell_of(border.outside));
@@ -204,12 +204,12 @@ private:
   bool are_new_cells_positive() const
   {
     for (const Cell_index c : m_inside)
-      if (!m_flips.signs().is_positive(m_filling.vertices(c)))
+      if (!m_signs.is_positive(m_filling.vertices(c)))
         return false;
     return true;
   }
 
-  bool fill()
+  bool fill(Lawson_flips_3<State>& flips)
   {
     for (const Cell_index c : m_hole)
       arrays().drop_cell(c);
@@ -228,12 +228,12 @@ private:
                                                             Arrays::place_of(mirror)));
       }
     for (const Cell_index c : m_inside)
-      m_flips.open_cell(m_number[c]);
+      flips.open_cell(m_number[c]);
     return true;
   }
 
   State& m_state;
-  Lawson_flips_3<State>& m_flips;
+  Cell_signs_3<State> m_signs;
   Arrays m_filling; // a triangulation of the vertices around the hole
   Cell_marks_3 m_filling_marks;
   Vertex_insertion_3<State> m_filling_insertion;

@@ -103,6 +103,15 @@ public:
     return std::nullopt;
   }
 
+  // Throws if a point is not finite, or too far away.
+  void check(const Position_3& p, std::size_t id) const
+  {
+    if (!is_finite(p))
+      throw Non_finite_coordinate_error_3(id, p.x, p.y, p.z);
+    if (!is_in_range(p))
+      throw Periodic_range_error_3(id, p.x, p.y, p.z, max_multiple);
+  }
+
   const Periodic_cell_3& cell() const { return m_cell; }
   const Position_3& vector(int i) const { return m_vectors[std::size_t(i)]; }
   const Exact_vector_3& exact_vector(int i) const { return m_exact_vectors[std::size_t(i)]; }

@@ -8,59 +8,55 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_shift_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Tetrahedra_arrays_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_arrays_3.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// A triangulated torus of three dimensions in one flat array: one cell for each class of cells in
-// space that are images of each other. Vertices have the numbers from 1 on.
+// A cell of a torus, in one line of a cache.
+struct alignas(64) Torus_cell_3
+{
+  static constexpr bool may_repeat_vertices = true;
+
+  Vertices_3 vertices;
+  Shifts_3 shifts;
+  Few<Corner_index, 4> mirrors;
+  Shifts_3 translations;
+};
+
+// A triangulated torus of three dimensions: one cell for each class of cells in space that are
+// images of each other. Vertices have the numbers from 1 on.
 //
 // Each cell has a chart of its own, in which its vertices have shifts; the first one's is 0. At
 // each corner it knows the mirror corner in the neighbor, and the translation that takes the
 // neighbor's chart to its own: a site of the neighbor with the shift s has the shift s +
 // translation here. So nothing has to be found by comparing vertices, and a cell may have several
 // images of a vertex, be its own neighbor, or another's neighbor several times.
-class Torus_cells_3
+class Torus_cells_3 : public Cell_arrays_3<Torus_cell_3>
 {
 public:
-  // One line of a cache.
-  struct alignas(64) Cell
-  {
-    Vertices_3 vertices;
-    Shifts_3 shifts;
-    Few<Corner_index, 4> mirrors;
-    Shifts_3 translations;
-  };
+  using Site = Torus_site_3;
+  using Sites = Torus_sites_3;
+  using Translation = Torus_shift_3;
 
-  Index number_of_cells() const { return Index(m_cells.size()); }
-  Index number_of_vertices() const { return Index(m_corners.size()); } // number 0 included
-
-  const Cell& cell(Cell_index c) const { return m_cells[c]; }
-  const Cell* cells() const { return m_cells.data(); }
-  const Vertices_3& vertices(Cell_index c) const { return m_cells[c].vertices; }
-  static Cell_index cell_of(Corner_index k) { return Tetrahedra_arrays_3::cell_of(k); }
-  static int place_of(Corner_index k) { return Tetrahedra_arrays_3::place_of(k); }
-  static Corner_index corner(Cell_index c, int place)
+  static Vertex_index vertex_of(const Site& s) { return s.vertex; }
+  static bool is_infinite(const Site&) { return false; } // as there is no hull
+  static bool is_infinite(Cell_index) { return false; }
+  // A site as seen in the chart that the translation takes to this one.
+  static Site translated_back(const Site& s, Translation translation)
   {
-    return Tetrahedra_arrays_3::corner(c, place);
+    return {s.vertex, s.shift - translation};
   }
-  Vertex_index vertex(Corner_index k) const { return vertices(cell_of(k))[place_of(k)]; }
-  Corner_index mirror(Corner_index k) const { return m_cells[cell_of(k)].mirrors[place_of(k)]; }
-  Torus_shift_3 translation(Corner_index k) const
+  // What takes a site of one chart to another image of it.
+  static Translation translation(const Site& from, const Site& to) { return to.shift - from.shift; }
+  Translation translation(Corner_index k) const
   {
     return m_cells[cell_of(k)].translations[place_of(k)];
   }
-  Cell_index neighbor(Cell_index c, int place) const { return cell_of(m_cells[c].mirrors[place]); }
-  // The vertex beyond the facet opposite to a corner.
-  Vertex_index apex(Corner_index k) const { return vertex(mirror(k)); }
-  Corner_index corner_of(Vertex_index v) const { return m_corners[v]; }
 
   // In the chart of the corner's cell.
   Torus_site_3 site(Corner_index k) const
@@ -82,9 +78,8 @@ public:
     return sites;
   }
 
-  // Between changes no cell is free.
-  bool is_free(Cell_index c) const { return vertices(c)[0] == null_index; }
   // The place of a site in a cell, or 4.
+  using Cell_arrays_3::place_of;
   int place_of(Cell_index c, const Torus_site_3& s) const
   {
     int place = 0;
@@ -95,50 +90,10 @@ public:
 
   // CHANGES ---------------------------------------------------------------------------------------
 
-  // Vertices keep their corners, which mean nothing until they have cells again.
-  void clear_cells()
-  {
-    m_cells.clear();
-    m_free.clear();
-    m_is_recording = false;
-  }
-  void reset(Index vertices)
-  {
-    clear_cells();
-    m_cells.reserve(7 * std::size_t(vertices));
-    m_corners.assign(vertices, Corner_index(null_index));
-  }
-  void resize_vertices(Index number) { m_corners.resize(number, null_index); }
-  void forget_corner(Vertex_index v) { m_corners[v] = null_index; }
-
-  Cell_index make_cell()
-  {
-    Cell_index c;
-    if (m_free.empty()) {
-      if (m_cells.size() >= Tetrahedra_arrays_3::max_cells)
-        throw std::length_error("the triangulation would have more than 2^30 - 1 cells");
-      c = Cell_index(m_cells.size());
-      if (m_cells.size() == m_cells.capacity()) // doubling would take 300 bytes a point
-        m_cells.reserve(with_reserve(m_cells.size()));
-      m_cells.push_back(free_cell());
-    } else {
-      c = m_free.back();
-      m_free.pop_back();
-    }
-    if (m_is_recording)
-      m_made.push_back(c);
-    return c;
-  }
-  void drop_cell(Cell_index c)
-  {
-    record(c);
-    m_cells[c] = free_cell();
-    (m_is_recording ? m_dropped : m_free).push_back(c);
-  }
-
   void set_sites(Cell_index c, const Torus_sites_3& sites)
   {
     record(c);
+    note(c);
     for (int i = 0; i < 4; ++i) {
       m_cells[c].vertices[i] = sites[i].vertex;
       m_cells[c].shifts[i] = sites[i].shift;
@@ -307,122 +262,7 @@ public:
       normalize(c);
   }
 
-  // Moves the last cells to the numbers of free ones.
-  void close_gaps()
-  {
-    std::sort(m_free.begin(), m_free.end());
-    for (const Cell_index c : m_free) {
-      drop_free_ones_at_end();
-      if (c >= m_cells.size())
-        break;
-      move_last_cell_to(c);
-    }
-    drop_free_ones_at_end();
-    m_free.clear();
-  }
-
-  // Gives the vertex `from`, whose star is given, the number `to`.
-  void renumber(Vertex_index from, Vertex_index to, const std::vector<Cell_index>& star)
-  {
-    for (const Cell_index c : star)
-      for (Vertex_index& v : m_cells[c].vertices)
-        if (v == from)
-          v = to;
-    m_corners[to] = m_corners[from];
-  }
-
-  // Gives every vertex v the number numbers[v]; of `vertices` in all. Those without cells have
-  // null_index.
-  void renumber_all(const Column<Vertex_index, Vertex_index>& numbers, Index vertices)
-  {
-    m_corners.assign(vertices, Corner_index(null_index));
-    for (Cell_index c(0); c < number_of_cells(); ++c)
-      for (int i = 0; i < 4; ++i) {
-        Vertex_index& v = m_cells[c].vertices[i];
-        v = numbers[v];
-        m_corners[v] = corner(c, i);
-      }
-  }
-
-  // Cells in the order of their smallest vertices: a pass over them then reads positions in order.
-  void sort_cells()
-  {
-    const auto key = [this](Cell_index c) {
-      return std::size_t(*std::min_element(vertices(c).begin(), vertices(c).end()));
-    };
-    std::vector<Index> next(m_corners.size() + 1, 0);
-    for (Cell_index c(0); c < number_of_cells(); ++c)
-      ++next[key(c) + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    Column<Cell_index, Cell_index> number(m_cells.size(), Cell_index(0));
-    for (Cell_index c(0); c < number_of_cells(); ++c)
-      number[c] = Cell_index(next[key(c)]++);
-    Column<Cell_index, Cell> cells(m_cells.size());
-    for (Cell_index c(0); c < number_of_cells(); ++c) {
-      Cell& cell = cells[number[c]] = m_cells[c];
-      for (Corner_index& k : cell.mirrors)
-        k = corner(number[cell_of(k)], place_of(k));
-    }
-    m_cells.swap(cells);
-    for (Corner_index& k : m_corners)
-      if (k != null_index)
-        k = corner(number[cell_of(k)], place_of(k));
-  }
-
-  // TRANSACTIONS ----------------------------------------------------------------------------------
-
-  // Between begin() and commit() or undo(), what is overwritten is recorded.
-  void begin()
-  {
-    CGAL_precondition(!m_is_recording);
-    m_is_recording = true;
-    m_record.clear();
-    m_made.clear();
-    m_dropped.clear();
-  }
-  void commit()
-  {
-    m_is_recording = false;
-    m_free.insert(m_free.end(), m_dropped.begin(), m_dropped.end());
-  }
-  void undo()
-  {
-    m_is_recording = false;
-    for (std::size_t i = m_record.size(); i-- > 0;)
-      m_cells[m_record[i].first] = m_record[i].second;
-    for (const Cell_index c : m_made)
-      m_cells[c] = free_cell();
-    for (const auto& [c, cell] : m_record)
-      if (!is_free(c))
-        for (int i = 0; i < 4; ++i)
-          m_corners[vertices(c)[i]] = corner(c, i);
-    m_free.insert(m_free.end(), m_made.begin(), m_made.end());
-  }
-  // Calls f(c) for each cell that was changed or made since begin() and exists; for some
-  // repeatedly.
-  template <class Function>
-  void for_each_changed(const Function& f) const
-  {
-    for (const auto& [c, cell] : m_record)
-      if (!is_free(c))
-        f(c);
-  }
-
 private:
-  static Cell free_cell()
-  {
-    return {{null_index, null_index, null_index, null_index},
-            {},
-            {null_index, null_index, null_index, null_index},
-            {}};
-  }
-
-  void record(Cell_index c)
-  {
-    if (m_is_recording)
-      m_record.emplace_back(c, m_cells[c]);
-  }
-
   void set_mirror(Corner_index k, Corner_index l, Torus_shift_3 translation)
   {
     m_cells[cell_of(k)].mirrors[place_of(k)] = l;
@@ -436,58 +276,7 @@ private:
                    [](const Outer_facet& facet) { return facet.to; });
     return corners;
   }
-
-  void drop_free_ones_at_end()
-  {
-    while (!m_cells.empty() && m_cells.back().vertices[0] == null_index)
-      m_cells.pop_back();
-  }
-  void move_last_cell_to(Cell_index c)
-  {
-    const Cell_index last(m_cells.size() - 1);
-    m_cells[c] = m_cells[last];
-    for (Corner_index& k : m_cells[c].mirrors) // of a cell that is its own neighbor
-      if (cell_of(k) == last)
-        k = corner(c, place_of(k));
-    for (int i = 0; i < 4; ++i) {
-      const Corner_index mirror = m_cells[c].mirrors[i];
-      m_cells[cell_of(mirror)].mirrors[place_of(mirror)] = corner(c, i);
-      const Vertex_index v = m_cells[c].vertices[i];
-      if (m_corners[v] == corner(last, i))
-        m_corners[v] = corner(c, i);
-    }
-    m_cells.pop_back();
-  }
-
-  Column<Cell_index, Cell> m_cells;
-  std::vector<Cell_index> m_free;
-  Column<Vertex_index, Corner_index> m_corners;
-
-  bool m_is_recording = false;
-  std::vector<std::pair<Cell_index, Cell>> m_record; // what was overwritten, in order
-  std::vector<Cell_index> m_made, m_dropped;
 };
-
-// Lists the cells around a vertex, each once, also one with several images of it.
-inline void find_star(const Torus_cells_3& arrays, Vertex_index v, Cell_marks_3& marks,
-                      std::vector<Cell_index>& star)
-{
-  star.clear();
-  marks.clear(arrays.number_of_cells());
-  const Cell_index first = Torus_cells_3::cell_of(arrays.corner_of(v));
-  marks.insert(first);
-  star.push_back(first);
-  for (std::size_t n = 0; n < star.size(); ++n) {
-    const Torus_cells_3::Cell& cell = arrays.cell(star[n]);
-    int images = 0;
-    for (const Vertex_index w : cell.vertices)
-      images += w == v;
-    for (int i = 0; i < 4; ++i)
-      if (const Cell_index c = Torus_cells_3::cell_of(cell.mirrors[i]);
-          images > int(cell.vertices[i] == v) && marks.insert(c))
-        star.push_back(c);
-  }
-}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 

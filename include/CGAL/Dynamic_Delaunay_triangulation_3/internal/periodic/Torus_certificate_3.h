@@ -33,6 +33,32 @@ public:
   {
   }
 
+  // Proves everything, by a pass of the filter first; `unproved` gets what that leaves.
+  bool holds(Unproved_cells_3& unproved) const
+  {
+    if (!is_combinatorially_valid())
+      return false;
+    find_unproved(m_state, unproved);
+    return std::all_of(unproved.finite.begin(), unproved.finite.end(),
+                       [this](Cell_index c) { return is_Delaunay(c); }) &&
+           (m_state.number_of_vertices() == 0 || covers_once());
+  }
+  // What is wrong, or null, by exact predicates alone.
+  const char* problem() const
+  {
+    if (!is_combinatorially_valid())
+      return "the cells do not fit together, or a vertex has none";
+    for (Cell_index c(0); c < arrays().number_of_cells(); ++c)
+      if (!is_Delaunay(c))
+        return "it is not Delaunay";
+    if (m_state.number_of_vertices() > 0 && !covers_once())
+      return "the cells do not cover the torus once";
+    return nullptr;
+  }
+  // Whether cells that covered the torus once, and have been positive before and after motion and
+  // flips, do so still.
+  static bool go_on_to_cover_once() { return true; }
+
   // Whether cells fit together, and each vertex has one of its own.
   bool is_combinatorially_valid() const
   {
@@ -52,22 +78,6 @@ public:
         return false;
     return arrays().number_of_vertices() == m_state.number_of_vertices() + 1 &&
            m_state.positions.number() == arrays().number_of_vertices();
-  }
-
-  // Whether all cells are positive, and all facets legal, by exact predicates.
-  bool is_Delaunay() const
-  {
-    for (Cell_index c(0); c < arrays().number_of_cells(); ++c)
-      if (!is_Delaunay(c))
-        return false;
-    return true;
-  }
-  // The same, by a pass of the filter first.
-  bool is_Delaunay(std::vector<Cell_index>& unproved) const
-  {
-    find_unproved_in_torus(m_state, unproved);
-    return std::all_of(unproved.begin(), unproved.end(),
-                       [this](Cell_index c) { return is_Delaunay(c); });
   }
 
   // Whether cells, which fit together and are positive, cover the torus once: whether the sum of
@@ -138,8 +148,8 @@ private:
     Exact_number_3 sum = 0;
     for (Cell_index c(0); c < arrays().number_of_cells(); ++c) {
       const Torus_sites_3 s = arrays().sites(c);
-      const Torus_point_3 a = m_state.point(s[0]);
-      const auto way = [&](int i) { return m_state.torus.exact_vector(a, m_state.point(s[i])); };
+      const Torus_point_3 a = m_state.image(s[0]);
+      const auto way = [&](int i) { return m_state.torus.exact_vector(a, m_state.image(s[i])); };
       sum = sum + dot(way(1), cross(way(2), way(3)));
     }
     const Torus_3& torus = m_state.torus;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -26,36 +27,32 @@ class Torus_insertion_3
   using Arrays = Torus_cells_3;
 
 public:
-  enum class Result { INSERTED, COINCIDES, IS_IN_ITS_OWN_WAY };
-
   explicit Torus_insertion_3(State& state)
     : m_state(state)
     , m_signs(state)
   {
   }
 
-  // Lets the next walk begin at a vertex that has cells.
-  void start_at(Vertex_index v) { m_start = v; }
+  // Lets the next walk begin at a cell.
+  void start_at(Cell_index c) { m_last = c; }
+  // A cell of the vertex that was inserted last.
+  Cell_index last() const { return m_last; }
 
-  // Inserts a vertex, which has a place and no cells.
-  Result insert(Vertex_index v)
+  // Inserts a vertex, which has a place and no cells. Returns null_index, or the vertex that it
+  // coincides with; nothing if its images are in each other's way: then cells are as they were.
+  std::optional<Vertex_index> insert(Vertex_index v)
   {
     const auto [c, site] = locate(v);
     if (!is_in_conflict(c, site)) // only vertices of a cell are in it and on its sphere
       for (const Torus_site_3& s : arrays().sites(c))
-        if (m_signs.predicates().coincide(m_state.point(s), m_state.point(site))) {
-          m_coinciding = s.vertex;
-          return Result::COINCIDES;
-        }
+        if (m_signs.predicates().coincide(m_state.image(s), m_state.image(site)))
+          return s.vertex;
     if (!find_conflicts(c, site))
-      return Result::IS_IN_ITS_OWN_WAY;
+      return std::nullopt;
     replace_conflicts(v);
-    m_start = v;
-    return Result::INSERTED;
+    m_last = m_made.back();
+    return Vertex_index(null_index);
   }
-
-  // The vertex that a vertex coincides with.
-  Vertex_index coinciding() const { return m_coinciding; }
 
 private:
   // A cell in conflict, and the shift of the vertex's image there, in the cell's chart.
@@ -77,9 +74,9 @@ private:
   // Delaunay cells no such walk goes in a circle.
   std::pair<Cell_index, Torus_site_3> locate(Vertex_index v)
   {
-    const Corner_index start = arrays().corner_of(m_start);
-    Cell_index c = Arrays::cell_of(start);
-    const Position_3 way = m_state.position(arrays().site(start)) - m_state.positions.position(v);
+    Cell_index c = m_last;
+    const Torus_site_3 start = arrays().site(Arrays::corner(c, 0));
+    const Position_3 way = m_state.position(start) - m_state.positions.position(v);
     const Multiples_3 nearest = Torus_3::nearest(m_state.torus.fractions(way));
     Torus_site_3 site{v, Torus_shift_3::of(nearest)};
     Corner_index entrance = null_index;
@@ -237,7 +234,7 @@ private:
 
   State& m_state;
   Torus_signs_3<State> m_signs;
-  Vertex_index m_start{1}, m_coinciding{0};
+  Cell_index m_last{0};
   std::vector<Conflict> m_conflicts;
   std::vector<Border> m_border;
   Column<Cell_index, Torus_shift_3> m_shift; // of the image in marked cells

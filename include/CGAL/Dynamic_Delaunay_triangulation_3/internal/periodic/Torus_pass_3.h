@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_predicates_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_pass_3.h>
 
 #include <array>
 #include <cstddef>
@@ -20,7 +21,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 class Torus_view_3
 {
 public:
-  using Cell = Torus_cells_3::Cell;
+  using Cell = Torus_cell_3;
 
   template <class State>
   explicit Torus_view_3(const State& state)
@@ -181,15 +182,16 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
 
 // Finds the cells that floating point does not prove positive with legal facets, on threads; each
 // facet is tested from both of its cells.
-template <class State>
-void find_unproved_in_torus(const State& state, std::vector<Cell_index>& unproved)
+template <class Traits, class ConcurrencyTag>
+void find_unproved(const Torus_state_3<Traits, ConcurrencyTag>& state, Unproved_cells_3& cells)
 {
-  using Parts = typename State::Parts;
+  using Parts = typename Torus_state_3<Traits, ConcurrencyTag>::Parts;
+  std::vector<Cell_index>& unproved = cells.finite;
   unproved.clear();
   const Torus_view_3 view(state);
   std::array<std::vector<Cell_index>, Parts::max_parts> lists;
-  const std::size_t cells = state.arrays.number_of_cells(), parts = Parts::number(cells);
-  Parts::for_each(cells, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+  const std::size_t number = state.arrays.number_of_cells(), parts = Parts::number(number);
+  Parts::for_each(number, [&](std::size_t part, std::size_t first, std::size_t beyond) {
     std::vector<Cell_index>& list = parts == 1 ? unproved : lists[part];
     call_with_lanes([&, first, beyond](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
       append_unproved_in_lanes<lanes>(view, first, beyond, list);

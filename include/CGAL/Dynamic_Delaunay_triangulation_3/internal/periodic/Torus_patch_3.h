@@ -83,7 +83,7 @@ public:
     std::vector<Vertex_index> first;
     for (Vertex_index v(1); v <= sites.size(); ++v) {
       m_sites[v] = sites[v - 1];
-      m_images.points[v] = m_state.point(m_sites[v]);
+      m_images.points[v] = m_state.image(m_sites[v]);
       first.push_back(v);
     }
     if (!begins_with_a_cell(m_images, first))

@@ -32,8 +32,9 @@ public:
   }
 
   // Takes a vertex out. Returns whether that has succeeded, and changes nothing else. The vertex
-  // keeps its number, without cells.
-  bool remove(Vertex_index v)
+  // keeps its number, without cells. No facet has to be opened.
+  template <class Flips>
+  bool remove(Vertex_index v, Flips&)
   {
     if (!find_hole(v))
       return false;

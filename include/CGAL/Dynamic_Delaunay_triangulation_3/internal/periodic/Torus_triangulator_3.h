@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -53,6 +54,7 @@ public:
     const std::vector<Vertex_index> order = order_by_rounds(vertices);
     covered.clear();
     m_state.arrays.reset(vertices + 1);
+    m_state.spans_space = vertices > 0;
     for (std::size_t number = few; vertices > 0; number *= 8) {
       covered.clear();
       triangulate_with_images(order, (std::min)(number, std::size_t(vertices)), covered);
@@ -74,17 +76,14 @@ private:
   {
     if (first >= order.size())
       return true;
-    m_insertion.start_at(m_seeds.front());
-    for (std::size_t i = first; i < order.size(); ++i)
-      switch (m_insertion.insert(order[i])) {
-      case Insertion::Result::INSERTED:
-        break;
-      case Insertion::Result::COINCIDES:
-        covered.emplace_back(order[i], m_insertion.coinciding());
-        break;
-      case Insertion::Result::IS_IN_ITS_OWN_WAY:
+    m_insertion.start_at(Arrays::cell_of(m_state.arrays.corner_of(m_seeds.front())));
+    for (std::size_t i = first; i < order.size(); ++i) {
+      const std::optional<Vertex_index> other = m_insertion.insert(order[i]);
+      if (!other)
         return false;
-      }
+      if (*other != null_index)
+        covered.emplace_back(order[i], *other);
+    }
     return true;
   }
 

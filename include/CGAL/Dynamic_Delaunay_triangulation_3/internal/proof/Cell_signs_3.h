@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Cell_filter_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Tetrahedra_arrays_3.h>
 
 #include <array>
 #include <utility>
@@ -65,6 +66,24 @@ public:
     return other != infinite_index && side_of_sphere(first, other) > 0;
   }
 
+  // Calls f(place) for each facet of a cell that floating point does not prove legal, by the place
+  // opposite to it.
+  template <class Function>
+  void for_each_doubtful(Cell_index c, const Function& f) const
+  {
+    const Tetrahedra_arrays_3& arrays = m_state.arrays;
+    const Vertices_3 v = arrays.vertices(c);
+    if (arrays.is_infinite(c) || !m_state.positions_are_exact) {
+      for (int i = 0; i < 4; ++i)
+        f(i);
+      return;
+    }
+    const auto filter = filter_of(v);
+    for (int i = 0; i < 4; ++i)
+      if (filter.may_be_inside(seen_from(v[0], arrays.apex(arrays.corner(c, i)))))
+        f(i);
+  }
+
   // The orientation of the origin and three points.
   int orientation_from_origin(const Point& p, const Point& q, const Point& r) const
   {
@@ -95,6 +114,13 @@ private:
   const State& m_state;
   typename State::Traits::Orientation_3 m_orientation;
   typename State::Traits::Side_of_oriented_sphere_3 m_side_of_sphere;
+};
+
+// The signs of the cells of a state.
+template <class State>
+struct Signs_of_3
+{
+  using type = Cell_signs_3<State>;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

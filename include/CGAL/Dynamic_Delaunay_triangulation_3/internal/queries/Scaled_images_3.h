@@ -139,11 +139,11 @@ public:
   // Whether a site is exactly on the sphere of a cell. No perturbation breaks ties here.
   bool are_on_a_sphere(const Torus_sites_3& cell, const Site& other) const
   {
-    const Torus_point_3 origin = m_state.point(cell[0]);
+    const Torus_point_3 origin = m_state.image(cell[0]);
     Few<Torus_point_3, 4> ends;
     for (int i = 0; i < 3; ++i)
-      ends[i] = m_state.point(cell[i + 1]);
-    ends[3] = m_state.point(other);
+      ends[i] = m_state.image(cell[i + 1]);
+    ends[3] = m_state.image(other);
     const auto way = [&](int i) -> Points_in_lanes_3<double> {
       const Position_3 v = ends[i].rounded - origin.rounded;
       return {v.x, v.y, v.z};

@@ -7,7 +7,6 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Positions_3.h>
 
 #include <boost/property_map/property_map.hpp>
 
@@ -32,15 +31,6 @@ struct Change_3
   std::vector<Point> moved_points;
 };
 
-// The positions of a frame before they count.
-template <class Point>
-struct Staged_positions_3
-{
-  Positions_3<Point> positions;
-  std::vector<Point> covered; // of covered points, by their numbers
-  bool are_exact = true;
-};
-
 // Reads and checks input before anything changes.
 template <class State>
 class Input_3
@@ -48,6 +38,7 @@ class Input_3
   using Point = typename State::Point;
   using Ids = typename State::Ids;
   using Parts = typename State::Parts;
+  using Staged = typename State::Staged;
 
 public:
   // Cells have 4 corners each, which are numbered with 32 bits; there are up to 7 cells a point in
@@ -57,7 +48,7 @@ public:
   // Reads a frame. Vertices that have lost their points stay where they are.
   template <class InputIterator, class PointMap>
   static void stage(InputIterator first, InputIterator beyond, const PointMap& point_map,
-                    const State& state, Staged_positions_3<Point>& staged)
+                    const State& state, Staged& staged)
   {
     using Category = typename std::iterator_traits<InputIterator>::iterator_category;
     if constexpr (std::is_convertible_v<Category, std::random_access_iterator_tag>) {
@@ -93,14 +84,13 @@ public:
     }
     state.ids.list_next_ids(change.coming_points.size(), change.coming);
     for (std::size_t i = 0; i < change.coming.size(); ++i)
-      checked_position(change.coming_points[i], change.coming[i]);
+      state.check(change.coming_points[i], change.coming[i]);
   }
 
 private:
   template <class RandomAccessIterator, class PointMap>
   static void stage_in_any_order(RandomAccessIterator first, RandomAccessIterator beyond,
-                                 const PointMap& point_map, const State& state,
-                                 Staged_positions_3<Point>& staged)
+                                 const PointMap& point_map, const State& state, Staged& staged)
   {
     using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
     const Ids& ids = state.ids;
@@ -118,36 +108,25 @@ private:
                         }
                         auto&& value = first[Difference(ids.representative(v))];
                         const Point& p = get(point_map, value);
-                        if (!stage(p, are_exact, [&](const Position_3& position) {
-                              staged.positions.set(v, Place_3<Point>(position, p));
-                            }))
+                        if (!staged.set(state, v, p))
                           are_right.store(false, std::memory_order_relaxed);
+                        else if (!has_exact_position(p))
+                          are_exact.store(false, std::memory_order_relaxed);
                       }
                     });
     for (Index i = 0; i < ids.number_of_covered(); ++i) {
       auto&& value = first[Difference(ids.covered_id(i))];
       const Point& p = get(point_map, value);
-      if (!stage(p, are_exact, [&](const Position_3&) { staged.covered[i] = p; }))
-        are_right = false;
+      are_right = are_right && staged.accepts(state, p);
+      are_exact = are_exact && has_exact_position(p);
+      staged.covered[i] = p;
     }
     staged.are_exact = are_exact;
     for (std::size_t id = 0; !are_right && id < ids.number_of_ids(); ++id)
       if (ids.is_taken(id)) {
         auto&& value = first[Difference(id)];
-        checked_position<Point>(get(point_map, value), id); // one of them throws
+        staged.check(state, get(point_map, value), id); // one of them throws
       }
-  }
-
-  template <class Store>
-  static bool stage(const Point& p, std::atomic<bool>& are_exact, const Store& store)
-  {
-    const Position_3 position = approximation(p);
-    if (!is_within_limit(position))
-      return false;
-    if (!has_exact_position(p))
-      are_exact.store(false, std::memory_order_relaxed);
-    store(position);
-    return true;
   }
 };
 

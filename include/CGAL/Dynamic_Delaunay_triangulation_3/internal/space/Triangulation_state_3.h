@@ -6,15 +6,58 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Parallel_parts.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Positions_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/State_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Tetrahedra_arrays_3.h>
 
-#include <array>
+#include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// The positions of a frame, before they count; from the exchange on, those of the last frame.
+template <class Point>
+struct Staged_positions_3
+{
+  static constexpr bool can_mend() { return true; }
+
+  // False if the point is refused.
+  template <class State>
+  bool set(const State&, Vertex_index v, const Point& p)
+  {
+    const Position_3 position = approximation(p);
+    positions.set(v, Place_3<Point>(position, p));
+    return is_within_limit(position);
+  }
+  template <class State>
+  static bool accepts(const State&, const Point& p)
+  {
+    return is_within_limit(approximation(p));
+  }
+  template <class State>
+  static void check(const State& state, const Point& p, std::size_t id)
+  {
+    state.check(p, id);
+  }
+
+  // Exchanges all with what counts.
+  template <class State>
+  void exchange(State& state)
+  {
+    state.positions.swap(positions);
+    state.ids.covered_points().swap(covered);
+    std::swap(state.positions_are_exact, are_exact);
+  }
+  template <class State>
+  void carry(const State&)
+  {
+  }
+
+  Positions_3<Point> positions;
+  std::vector<Point> covered; // of covered points, by their numbers
+  bool are_exact = true;
+};
 
 // Points, their ids, their cells, and the origin.
 //
@@ -24,25 +67,32 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // triangulation if one ray from the origin meets a single hull facet.
 template <class GeomTraits, class ConcurrencyTag>
 class Triangulation_state_3
+  : public State_base_3<GeomTraits, ConcurrencyTag, Positions_3<typename GeomTraits::Point_3>,
+                        Tetrahedra_arrays_3>
 {
+  using Base = State_base_3<GeomTraits, ConcurrencyTag, Positions_3<typename GeomTraits::Point_3>,
+                            Tetrahedra_arrays_3>;
+
 public:
   using Traits = GeomTraits;
-  using Point = typename Traits::Point_3;
-  using Place = Place_3<Point>;
-  using Positions = Positions_3<Point>;
-  using Arrays = Tetrahedra_arrays_3;
-  using Ids = Dynamic_Delaunay_triangulations_2::internal::Point_ids_2<Point>;
-  using Parts = Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<ConcurrencyTag>;
+  using Point = typename Base::Point;
+  using Place = typename Base::Place;
+  using Positions = typename Base::Positions;
+  using Staged = Staged_positions_3<Point>;
+
+  // Where more is to be mended, it costs more than a rebuild. Of 10,000 random points, steps of
+  // 0.14 mean spacings break three cells a vertex; then both ways take as long.
+  static constexpr std::size_t most_broken = 3; // cells a vertex
 
   explicit Triangulation_state_3(const Traits& geometry = Traits())
     : traits(geometry)
   {
-    ids.reset(0);
-    positions.resize(1);
-    arrays.resize_vertices(1);
   }
 
-  Index number_of_vertices() const { return ids.number_of_representatives(); } // finite ones
+  using Base::ids;
+  using Base::positions;
+  using Base::spans_space;
+
   // -1 without points, 0 if all coincide, 1 if they are on a line, 2 in a plane, else 3. After an
   // exception, -1 or 0.
   int dimension() const
@@ -54,45 +104,60 @@ public:
     return !flat_edges.empty() ? 1 : ids.number_of_points() > 0 ? 0 : -1;
   }
   decltype(auto) point(Vertex_index v) const { return positions.point(v); }
-  bool coincide(const Point& p, const Point& q) const
+  static decltype(auto) point_at(const Place& place) { return place.point(); }
+  static Place place_of(const Point& point) { return Place(approximation(point), point); }
+  static Place place_near(const Point& point, Vertex_index) { return place_of(point); }
+  Place place_anew(Vertex_index v) const { return positions.place(v); }
+  static void check(const Point& p, std::size_t id) { checked_position(p, id); }
+  static bool coincide(const Point& p, const Point& q)
   {
     return p.x() == q.x() && p.y() == q.y() && p.z() == q.z();
   }
+  bool coincide(const Point& p, Vertex_index v) const { return coincide(p, point(v)); }
 
-  // Gives up all cells. Points of the ids that are taken keep their places; the last vertices take
-  // the numbers of those that have no point. For use after an exception: allocates nothing, if
-  // there is memory for all free ids.
+  void include(const Place& place)
+  {
+    if constexpr (!is_three_doubles<Point>)
+      positions_are_exact = positions_are_exact && has_exact_position(place.point());
+  }
+  void include_all()
+  {
+    positions_are_exact = true;
+    if constexpr (!is_three_doubles<Point>)
+      for (Vertex_index v(1); v < positions.number(); ++v)
+        include(positions.place(v));
+  }
+
+  // The origin goes with the others.
+  bool begin_frame(const Position_3& mean, const Positions&)
+  {
+    origin = origin + mean;
+    return is_finite(origin);
+  }
+  void end_change() {}
+  void begin_rebuild() {}
+
   void drop_cells()
   {
-    spans_space = false;
     flat_edges.clear();
     flat_triangles.clear();
-    arrays.clear_cells();
-    for (Vertex_index v(1); v <= ids.number_of_representatives();) {
-      const Vertex_index last(ids.number_of_representatives());
-      if (ids.has_representative(v)) {
-        ++v;
-        continue;
-      }
-      if (ids.has_representative(last)) {
-        positions.set(v, positions.place(last));
-        ids.move_points(last, v);
-      }
-      ids.resize(last - 1);
-    }
-    positions.resize(ids.number_of_representatives() + 1);
-    ids.find_free_ids();
+    Base::drop_cells();
+  }
+  void renumber_vertices(const Column<Vertex_index, Vertex_index>& numbers, Index vertices)
+  {
+    Base::arrays.renumber_all(numbers, vertices);
+    for (auto& edge : flat_edges)
+      for (Vertex_index& v : edge)
+        v = numbers[v];
+    for (auto& triangle : flat_triangles)
+      for (Vertex_index& v : triangle)
+        v = numbers[v];
   }
 
   Traits traits;
-  Ids ids;
-  Positions_3<Point> positions;
   bool positions_are_exact = true; // no point is rounded in the array of positions
-  Tetrahedra_arrays_3 arrays;
-  Cell_marks_3 marks; // of these cells; each tool clears them before it uses them
-  // Whether there are cells. Else the points are coplanar, and the edges and triangles of a
-  // Delaunay triangulation of their plane are in these lists.
-  bool spans_space = false;
+  // Where points do not span space, they are coplanar, and the edges and triangles of a Delaunay
+  // triangulation of their plane are in these lists.
   std::vector<Few<Vertex_index, 2>> flat_edges;
   std::vector<Few<Vertex_index, 3>> flat_triangles;
   bool has_origin = false;

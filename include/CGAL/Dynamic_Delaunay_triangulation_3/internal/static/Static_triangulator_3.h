@@ -33,7 +33,7 @@ class Static_triangulator_3
 public:
   explicit Static_triangulator_3(State& state)
     : m_state(state)
-    , m_insertion(state, state.arrays, state.marks)
+    , m_insertion(state)
     , m_signs(state)
   {
   }
@@ -59,7 +59,7 @@ public:
         if (const Vertex_index other = m_insertion.insert(v); other != null_index)
           covered.emplace_back(v, other);
     m_state.arrays.close_gaps();
-    sort_cells();
+    m_state.arrays.sort_cells();
     choose_origin();
   }
 
@@ -92,28 +92,6 @@ public:
   }
 
 private:
-  // Cells in the order of their smallest vertices: a pass over them then reads positions in order.
-  void sort_cells()
-  {
-    const Arrays& arrays = m_state.arrays;
-    std::vector<Index> begin(arrays.number_of_vertices() + std::size_t(1), 0);
-    const auto key = [&](Cell_index c) {
-      Index smallest = null_index;
-      for (const Vertex_index v : arrays.vertices(c))
-        if (v != infinite_index)
-          smallest = (std::min)(smallest, Index(v));
-      return smallest;
-    };
-    for (Cell_index c(0); c < arrays.number_of_cells(); ++c)
-      ++begin[key(c) + std::size_t(1)];
-    for (std::size_t i = 1; i < begin.size(); ++i)
-      begin[i] += begin[i - 1];
-    std::vector<Cell_index> order(arrays.number_of_cells());
-    for (Cell_index c(0); c < arrays.number_of_cells(); ++c)
-      order[begin[key(c)]++] = c;
-    m_state.arrays.reorder(order);
-  }
-
   // The mean of the vertices, and their extent along each axis.
   std::pair<Position_3, Position_3> middle_and_extent() const
   {

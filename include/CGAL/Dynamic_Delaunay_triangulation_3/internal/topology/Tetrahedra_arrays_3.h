@@ -6,62 +6,56 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_history_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_arrays_3.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// Room for a few more than so many: frames change the number of cells little.
-inline std::size_t with_reserve(std::size_t cells)
+// Cells of open space: vertices, and mirror corners.
+struct Tetrahedron_3
 {
-  return cells + cells / 32 + 64;
-}
+  static constexpr bool may_repeat_vertices = false;
 
-// A triangulated 3-sphere in one flat array: for each cell its four vertices, and for each of its
-// corners the mirror corner, which lies opposite to the same facet in the neighbor. So the vertex
-// beyond a facet is found without a search. The infinite vertex has the number 0. All cells have
-// the same combinatorial orientation; they know no positions.
-class Tetrahedra_arrays_3
+  Vertices_3 vertices;
+  Few<Corner_index, 4> mirrors;
+};
+
+// A triangulated 3-sphere: tetrahedra, and infinite cells, one for each facet of the hull. The
+// infinite vertex has the number 0.
+//
+// A site, of which a torus has many for each vertex, is a vertex here; and there is one chart.
+class Tetrahedra_arrays_3 : public Cell_arrays_3<Tetrahedron_3>
 {
 public:
-  struct Cell
+  using Site = Vertex_index;
+  using Sites = Vertices_3;
+  // Takes a chart to another one: there is nothing to do.
+  struct Translation
   {
-    Vertices_3 vertices;
-    Few<Corner_index, 4> mirrors;
+    friend Translation operator+(Translation, Translation) { return {}; }
+    friend bool operator!=(Translation, Translation) { return false; }
+    friend bool operator==(Translation, Translation) { return true; }
   };
 
-  static constexpr std::size_t max_cells = (std::size_t(1) << 30) - 1;
+  static Vertex_index vertex_of(Site s) { return s; }
+  static bool is_infinite(Site s) { return s == infinite_index; }
+  static Site translated_back(Site s, Translation) { return s; }
+  // What takes the site, in a chart, to another image of it, in another one.
+  static Translation translation(Site, Site) { return {}; }
+  Translation translation(Corner_index) const { return {}; }
+  const Sites& sites(Cell_index c) const { return vertices(c); }
+  Site site(Corner_index k) const { return vertex(k); }
+  Site apex_site(Corner_index k) const { return apex(k); }
 
-  Index number_of_cells() const { return Index(m_cells.size()); }
-  Index number_of_vertices() const { return Index(m_corners.size()); } // the infinite one included
-
-  const Cell& cell(Cell_index c) const { return m_cells[c]; }
-  const Cell* cells() const { return m_cells.data(); }
-  const Vertices_3& vertices(Cell_index c) const { return m_cells[c].vertices; }
-  static Cell_index cell_of(Corner_index k) { return Cell_index(k / 4); }
-  static int place_of(Corner_index k) { return int(k % 4); }
-  static Corner_index corner(Cell_index c, int place) { return Corner_index(4 * c + Index(place)); }
-  Vertex_index vertex(Corner_index k) const { return vertices(cell_of(k))[place_of(k)]; }
-  Corner_index mirror(Corner_index k) const { return m_cells[cell_of(k)].mirrors[place_of(k)]; }
-  Cell_index neighbor(Cell_index c, int place) const { return cell_of(m_cells[c].mirrors[place]); }
-  // The vertex beyond the facet opposite to a corner.
-  Vertex_index apex(Corner_index k) const { return vertex(mirror(k)); }
-  // Some corner of a vertex that has cells.
-  Corner_index corner_of(Vertex_index v) const { return m_corners[v]; }
-
-  // Between changes no cell is free. Free ones have neither vertices nor mirrors.
-  bool is_free(Cell_index c) const { return vertices(c)[0] == null_index; }
   bool is_infinite(Cell_index c) const { return place_of(c, infinite_index) < 4; }
   // The place of a vertex in a cell, or 4.
+  using Cell_arrays_3::place_of;
   int place_of(Cell_index c, Vertex_index v) const
   {
     const Vertices_3& w = vertices(c);
@@ -77,53 +71,6 @@ public:
 
   // CHANGES ---------------------------------------------------------------------------------------
 
-  // Vertices keep their corners, which mean nothing until they have cells again.
-  void clear_cells()
-  {
-    if (m_history.is_on())
-      m_history.give_up(m_cells);
-    m_cells.clear();
-    m_free.clear();
-    m_is_recording = false;
-  }
-  // Starts with so many vertices, the infinite one included, and no cells, but memory for as many
-  // as random points have.
-  void reset(Index vertices)
-  {
-    clear_cells();
-    m_cells.reserve(7 * std::size_t(vertices));
-    m_corners.assign(vertices, Corner_index(null_index));
-  }
-  void resize_vertices(Index number) { m_corners.resize(number, null_index); }
-
-  Cell_index make_cell()
-  {
-    Cell_index c;
-    if (m_free.empty()) {
-      if (m_cells.size() >= max_cells)
-        throw std::length_error("the triangulation would have more than 2^30 - 1 cells");
-      c = Cell_index(m_cells.size());
-      if (m_cells.size() == m_cells.capacity()) // doubling would take 200 bytes a point
-        m_cells.reserve(with_reserve(m_cells.size()));
-      m_cells.push_back(free_cell());
-      note(c);
-    } else {
-      c = m_free.back();
-      m_free.pop_back();
-    }
-    if (m_is_recording)
-      m_made.push_back(c);
-    return c;
-  }
-
-  void drop_cell(Cell_index c)
-  {
-    record(c);
-    note(c);
-    m_cells[c] = free_cell();
-    (m_is_recording ? m_dropped : m_free).push_back(c);
-  }
-
   void set_vertices(Cell_index c, const Vertices_3& v)
   {
     record(c);
@@ -132,9 +79,6 @@ public:
     for (int i = 0; i < 4; ++i)
       m_corners[v[i]] = corner(c, i);
   }
-
-  // Lets walks around its vertex begin at a corner.
-  void set_corner(Corner_index k) { m_corners[vertex(k)] = k; }
 
   // Makes two corners each other's mirror.
   void connect(Corner_index k, Corner_index l)
@@ -145,11 +89,12 @@ public:
     m_cells[cell_of(l)].mirrors[place_of(l)] = k;
   }
 
-  // Cells that a flip has made.
+  // Cells that a flip has made, and their corners opposite to the facets around them.
   struct Flipped
   {
     Few<Cell_index, 3> cells;
     int number;
+    Few<Corner_index, 6> outer;
   };
 
   // Replaces the two cells at the facet opposite to k by three around the edge from the vertex of k
@@ -164,7 +109,7 @@ public:
     for (int i = 0, n = 0; i < 4; ++i)
       if (i != top)
         around[n++] = i;
-    Flipped flipped{{first, second, make_cell()}, 3};
+    Flipped flipped{{first, second, make_cell()}, 3, {}};
     Few<Corner_index, 3> below;
     for (int n = 0; n < 3; ++n)
       below[n] = b.mirrors[place_of_known(b, a.vertices[around[n]])];
@@ -174,8 +119,8 @@ public:
       set_vertices(flipped.cells[n], v);
     }
     for (int n = 0; n < 3; ++n) {
-      connect(corner(flipped.cells[n], around[n]), a.mirrors[around[n]]);
-      connect(corner(flipped.cells[n], top), below[n]);
+      connect(flipped.outer[2 * n] = corner(flipped.cells[n], around[n]), a.mirrors[around[n]]);
+      connect(flipped.outer[2 * n + 1] = corner(flipped.cells[n], top), below[n]);
       for (int m = 0; m < n; ++m)
         connect(corner(flipped.cells[n], around[m]), corner(flipped.cells[m], around[n]));
     }
@@ -206,14 +151,18 @@ public:
     drop_cell(third);
     set_vertices(first, v);
     set_vertices(second, w);
-    connect(corner(first, q), at_p[0]);
-    connect(corner(first, top), at_p[1]);
-    connect(corner(first, side), at_p[2]);
-    connect(corner(second, p), at_q[0]);
-    connect(corner(second, top), at_q[1]);
-    connect(corner(second, side), at_q[2]);
+    const Flipped flipped{{first, second, null_index},
+                          2,
+                          {corner(first, top), corner(first, q), corner(first, side),
+                           corner(second, top), corner(second, p), corner(second, side)}};
+    connect(flipped.outer[0], at_p[1]);
+    connect(flipped.outer[1], at_p[0]);
+    connect(flipped.outer[2], at_p[2]);
+    connect(flipped.outer[3], at_q[1]);
+    connect(flipped.outer[4], at_q[0]);
+    connect(flipped.outer[5], at_q[2]);
     connect(corner(first, p), corner(second, q));
-    return {{first, second, null_index}, 2};
+    return flipped;
   }
 
   // Replaces cells, which form a ball without vertices inside, by cells over its border that have
@@ -246,140 +195,7 @@ public:
     return m_star.back().number;
   }
 
-  // Moves the last cells to the numbers of free ones.
-  void close_gaps()
-  {
-    std::sort(m_free.begin(), m_free.end());
-    for (const Cell_index c : m_free) {
-      drop_free_ones_at_end();
-      if (c >= m_cells.size())
-        break;
-      move_last_cell_to(c);
-    }
-    drop_free_ones_at_end();
-    m_free.clear();
-  }
-
-  // Gives the vertex `from`, whose star is given, the number `to`.
-  void renumber(Vertex_index from, Vertex_index to, const std::vector<Cell_index>& star)
-  {
-    for (const Cell_index c : star) {
-      note(c);
-      m_cells[c].vertices[place_of(c, from)] = to;
-    }
-    m_corners[to] = m_corners[from];
-  }
-  void pop_vertex() { m_corners.pop_back(); }
-
-  // Gives every vertex v the number numbers[v]; of `vertices` in all. Those without cells have
-  // null_index.
-  void renumber_all(const Column<Vertex_index, Vertex_index>& numbers, Index vertices)
-  {
-    m_corners.assign(vertices, Corner_index(null_index));
-    for (Cell_index c(0); c < number_of_cells(); ++c)
-      for (int i = 0; i < 4; ++i) {
-        Vertex_index& v = m_cells[c].vertices[i];
-        v = numbers[v];
-        m_corners[v] = corner(c, i);
-      }
-  }
-
-  // Takes cells in another order: the i-th is order[i].
-  void reorder(const std::vector<Cell_index>& order)
-  {
-    Column<Cell_index, Cell_index> number(m_cells.size(), Cell_index(0));
-    for (std::size_t i = 0; i < order.size(); ++i)
-      number[order[i]] = Cell_index(i);
-    Column<Cell_index, Cell> cells(m_cells.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-      Cell& cell = cells[Cell_index(i)] = m_cells[order[i]];
-      for (Corner_index& k : cell.mirrors)
-        k = corner(number[cell_of(k)], place_of(k));
-    }
-    m_cells.swap(cells);
-    for (Corner_index& k : m_corners)
-      if (k != null_index)
-        k = corner(number[cell_of(k)], place_of(k));
-  }
-
-  // TRANSACTIONS ----------------------------------------------------------------------------------
-
-  // Between begin() and commit() or undo(), what is overwritten is recorded.
-  void begin()
-  {
-    CGAL_precondition(!m_is_recording);
-    m_is_recording = true;
-    m_record.clear();
-    m_made.clear();
-    m_dropped.clear();
-  }
-  void commit()
-  {
-    m_is_recording = false;
-    m_free.insert(m_free.end(), m_dropped.begin(), m_dropped.end());
-  }
-  void undo()
-  {
-    m_is_recording = false;
-    for (std::size_t i = m_record.size(); i-- > 0;)
-      m_cells[m_record[i].first] = m_record[i].second;
-    for (const Cell_index c : m_made)
-      m_cells[c] = free_cell();
-    for (const auto& [c, cell] : m_record)
-      if (!is_free(c))
-        for (int i = 0; i < 4; ++i)
-          m_corners[vertices(c)[i]] = corner(c, i);
-    m_free.insert(m_free.end(), m_made.begin(), m_made.end());
-  }
-  // Calls f(c) for each cell that was changed or made since begin() and exists; for some
-  // repeatedly.
-  template <class Function>
-  void for_each_changed(const Function& f) const
-  {
-    for (const auto& [c, cell] : m_record)
-      if (!is_free(c))
-        f(c);
-  }
-
-  // HISTORY ---------------------------------------------------------------------------------------
-
-  // What is noted between its begin() and end(), for visitors. Numbers of vertices are those at its
-  // begin().
-  Cell_history_3<Cell>& history() { return m_history; }
-
-  // Calls f(vertices) for each cell that there was at that begin(). Call finish() before.
-  template <class Function>
-  void for_each_former_of_all(const Function& f) const
-  {
-    m_history.for_each_former_of_all(m_cells, f);
-  }
-
-  // Notes the cells of a vertex that stays where it is, and gets another name.
-  void note_star(const std::vector<Cell_index>& star)
-  {
-    for (const Cell_index c : star)
-      note(c);
-  }
-
 private:
-  static Cell free_cell()
-  {
-    return {{null_index, null_index, null_index, null_index},
-            {null_index, null_index, null_index, null_index}};
-  }
-
-  void note(Cell_index c)
-  {
-    if (m_history.is_on())
-      m_history.note(c, vertices(c));
-  }
-
-  void record(Cell_index c)
-  {
-    if (m_is_recording)
-      m_record.emplace_back(c, m_cells[c]);
-  }
-
   // A cell of a star before it is written. Its mirror at the tip lies outside of the star.
   struct Star_cell
   {
@@ -447,109 +263,11 @@ private:
     }
   }
 
-  void drop_free_ones_at_end()
-  {
-    while (!m_cells.empty() && m_cells.back().vertices[0] == null_index)
-      m_cells.pop_back();
-  }
-
-  void move_last_cell_to(Cell_index c)
-  {
-    const Cell_index last(m_cells.size() - 1);
-    note(last);
-    const Cell cell = m_cells[last];
-    m_cells[c] = cell;
-    for (int i = 0; i < 4; ++i) {
-      const Corner_index mirror = cell.mirrors[i];
-      m_cells[cell_of(mirror)].mirrors[place_of(mirror)] = corner(c, i);
-      if (m_corners[cell.vertices[i]] == corner(last, i))
-        m_corners[cell.vertices[i]] = corner(c, i);
-    }
-    m_cells.pop_back();
-  }
-
-  Column<Cell_index, Cell> m_cells;
-  std::vector<Cell_index> m_free;
-  Column<Vertex_index, Corner_index> m_corners;
-
   // A star of so many cells has at most so many vertices: by Euler, half of it and two on the
   // border, and the tip. All corners have numbers of a byte.
   static constexpr std::size_t most_of_table = 64, row_of_table = most_of_table / 2 + 3;
   std::vector<Star_cell> m_star;
-
-  bool m_is_recording = false;
-  std::vector<std::pair<Cell_index, Cell>> m_record; // what was overwritten, in order
-  std::vector<Cell_index> m_made, m_dropped;
-  Cell_history_3<Cell> m_history;
 };
-
-// Whether places are an even permutation of 0, 1, 2 and 3.
-inline bool is_even(const Few<int, 4>& places)
-{
-  int inversions = 0;
-  for (int i = 0; i < 4; ++i)
-    for (int j = i + 1; j < 4; ++j)
-      inversions += places[i] > places[j];
-  return inversions % 2 == 0;
-}
-
-// Marks cells by one of two kinds of marks, and forgets all marks in constant time.
-class Cell_marks_3
-{
-public:
-  void clear(Index cells)
-  {
-    make_room(cells);
-    m_mark = Mark(m_mark + 2);
-    if (m_mark == 0) { // all numbers are used up
-      std::fill(m_marks.begin(), m_marks.end(), Mark(0));
-      m_mark = 2;
-    }
-  }
-  // For so many cells in all.
-  void make_room(Index cells)
-  {
-    if (m_marks.size() < cells) {
-      m_marks.reserve(with_reserve(cells)); // resize() alone may double it
-      m_marks.resize(with_reserve(cells), Mark(0));
-    }
-  }
-  bool has(Cell_index c) const { return m_marks[c] >= m_mark; }
-  bool has(Cell_index c, Index kind) const { return m_marks[c] == m_mark + kind; }
-  // Whether the cell was not marked before.
-  bool insert(Cell_index c)
-  {
-    if (has(c))
-      return false;
-    insert(c, 0);
-    return true;
-  }
-  void insert(Cell_index c, Index kind) { m_marks[c] = Mark(m_mark + kind); }
-
-private:
-  using Mark = std::uint16_t; // every 32,000th call of clear() takes linear time
-
-  Column<Cell_index, Mark> m_marks;
-  Mark m_mark = 0;
-};
-
-// Lists the cells around a vertex.
-inline void find_star(const Tetrahedra_arrays_3& arrays, Vertex_index v, Cell_marks_3& marks,
-                      std::vector<Cell_index>& star)
-{
-  star.clear();
-  marks.clear(arrays.number_of_cells());
-  const Cell_index first = Tetrahedra_arrays_3::cell_of(arrays.corner_of(v));
-  marks.insert(first);
-  star.push_back(first);
-  for (std::size_t n = 0; n < star.size(); ++n) {
-    const Tetrahedra_arrays_3::Cell& cell = arrays.cell(star[n]);
-    for (int i = 0; i < 4; ++i)
-      if (const Cell_index c = Tetrahedra_arrays_3::cell_of(cell.mirrors[i]);
-          cell.vertices[i] != v && marks.insert(c))
-        star.push_back(c);
-  }
-}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 

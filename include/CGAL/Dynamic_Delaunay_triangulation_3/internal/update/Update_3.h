@@ -8,10 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Held_vertices_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_pass_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Certificate_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Filtered_certificate_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Triangulation_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Chosen_rebuilds_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Waiting_points_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Whole_rebuild_3.h>
@@ -31,12 +28,16 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // not legal are flipped; held vertices are released; one ray proves that the cells cover space
 // once; vertices that cannot arrive are taken out; what was taken out, has parted from others, or
 // is new is inserted. Whatever fails ends in a rebuild.
-template <class State>
+//
+// A space is open space or a torus. It says which tools the phases use: `State`, `Insertion`,
+// `Removal`, `Static`, which triangulates from scratch, and `Proof`.
+template <class Space>
 class Update_3
 {
-  using Arrays = Tetrahedra_arrays_3;
+  using State = typename Space::State;
+  using Arrays = typename State::Arrays;
   using Point = typename State::Point;
-  using Place = Place_3<Point>;
+  using Place = typename State::Place;
   using Reason = Rebuild_reason_2;
 
 public:
@@ -49,6 +50,7 @@ public:
     , m_held(state, m_other.positions, m_flips)
     , m_waiting(state, m_other.positions, m_flips)
     , m_rebuild(state)
+    , m_proof(state)
   {
   }
 
@@ -62,28 +64,21 @@ public:
   }
 
   // The positions of a frame, to be filled before run().
-  Staged_positions_3<Point>& staged() { return m_other; }
+  typename State::Staged& staged() { return m_other; }
 
   // Proves the triangulation again. If that fails, the next call rebuilds.
   bool certify()
   {
-    m_is_certified = m_is_certified &&
-                     (m_state.spans_space ? Filtered_certificate_3<State>(m_state).holds(m_unproved)
-                                          : are_coplanar());
+    m_is_certified = m_is_certified && m_proof.holds(m_unproved);
     return m_is_certified;
   }
 
   // What is wrong with the triangulation, or null.
   const char* problem() const
   {
-    const Certificate_3<State> certificate(m_state);
     if (!m_is_certified && !m_state.spans_space)
       return "there are no cells: an exception has ended the last call";
-    if (!m_state.spans_space)
-      return are_coplanar() ? nullptr : "there are no cells, and the points are not coplanar";
-    if (!certificate.is_combinatorially_valid())
-      return "the cells do not fit together, or a vertex has none";
-    return certificate.holds() ? nullptr : "it is not Delaunay";
+    return m_proof.problem();
   }
 
   // Reserves the memory in which a change removes points. If it throws, nothing has changed; after
@@ -141,7 +136,7 @@ private:
       stage(*change.positions);
     m_state.ids.reserve(change.coming);
     if (change.is_frame)
-      exchange_positions();
+      m_other.exchange(m_state);
     if (reason == Reason::NONE && change.positions != nullptr && chosen.include(frame()))
       reason = Reason::POLICY;
     if (reason == Reason::NONE)
@@ -162,13 +157,13 @@ private:
   // Asks it at the new positions, before anything changes.
   bool is_chosen_before(const Chosen_rebuilds& chosen)
   {
-    exchange_positions();
+    m_other.exchange(m_state);
     try {
       const bool is_chosen = chosen.include(frame());
-      exchange_positions();
+      m_other.exchange(m_state);
       return is_chosen;
     } catch (...) {
-      exchange_positions();
+      m_other.exchange(m_state);
       throw;
     }
   }
@@ -179,7 +174,7 @@ private:
   {
     if (!m_state.spans_space)
       return Reason::DIMENSION;
-    if (!was_certified || !m_state.has_origin)
+    if (!was_certified || !m_state.has_origin || (change.is_frame && !m_other.can_mend()))
       return Reason::STUCK;
     if (11 * (change.gone.size() + change.moved.size()) + change.coming.size() >
         m_state.number_of_vertices())
@@ -198,13 +193,6 @@ private:
                           boost::typed_identity_property_map<Point>(), m_state, m_other);
   }
 
-  void exchange_positions()
-  {
-    m_state.positions.swap(m_other.positions);
-    m_state.ids.covered_points().swap(m_other.covered);
-    std::swap(m_state.positions_are_exact, m_other.are_exact);
-  }
-
   Reason mend(const Change_3<Point>& change)
   {
     if (change.is_frame)
@@ -212,17 +200,20 @@ private:
         return reason;
     for (std::size_t i = 0; i < change.coming.size(); ++i)
       m_waiting.wait(change.coming[i], change.coming_points[i]);
-    m_report.merged = m_waiting.insert_all();
+    if (!m_waiting.insert_all())
+      return Reason::STUCK;
+    m_report.merged = m_waiting.number_of_merged();
     m_state.arrays.close_gaps();
+    m_state.end_change();
     return Reason::NONE;
   }
 
   Reason mend_frame()
   {
+    m_other.carry(m_state);
     m_report.parted = m_waiting.part_covered();
     const Position_3 old_origin = m_state.origin, mean = mean_motion();
-    m_state.origin = m_state.origin + mean;
-    if (!is_finite(m_state.origin))
+    if (!m_state.begin_frame(mean, m_other.positions))
       return Reason::STUCK;
     find_unproved(m_state, m_unproved);
     m_report.unproved = m_unproved.finite.size();
@@ -241,7 +232,7 @@ private:
     m_flips.run();
     m_held.release();
     // only from a Delaunay triangulation can vertices be taken out, or be inserted into it
-    if (!unstick() || !covers_space_once())
+    if (!unstick() || !m_proof.go_on_to_cover_once())
       return Reason::STUCK;
     return take_out_left() ? Reason::NONE : Reason::STUCK;
   }
@@ -260,11 +251,9 @@ private:
   {
     m_bad.clear();
     m_open.clear();
-    const auto& signs = m_flips.signs();
-    for (const Cell_index c : m_unproved.finite)
-      (signs.is_positive(m_state.arrays.vertices(c)) ? m_open : m_bad).push_back(c);
-    for (const Cell_index c : m_unproved.infinite)
-      (signs.is_positive(m_state.arrays.vertices(c)) ? m_open : m_bad).push_back(c);
+    for (const std::vector<Cell_index>* cells : {&m_unproved.finite, &m_unproved.infinite})
+      for (const Cell_index c : *cells)
+        (m_flips.is_positive(c) ? m_open : m_bad).push_back(c);
   }
   // Whether so many cells are broken that flips cost more than a rebuild, or get stuck, as after
   // the first motion of a lattice. A sample tells broken cells from those with ties.
@@ -272,7 +261,7 @@ private:
   {
     const std::vector<Cell_index>& unproved = m_unproved.finite;
     if (!m_state.positions_are_exact ||
-        unproved.size() <= m_state.number_of_vertices() * most_broken)
+        unproved.size() <= few_inverted + m_state.number_of_vertices() * State::most_broken)
       return false;
     std::size_t broken = 0;
     for (std::size_t i = 0; i < sample; ++i)
@@ -281,7 +270,7 @@ private:
   }
   bool is_broken(Cell_index c) const
   {
-    if (!m_flips.signs().is_positive(m_state.arrays.vertices(c)))
+    if (!m_flips.is_positive(c))
       return true;
     for (int i = 0; i < 4; ++i)
       if (m_flips.is_illegal(Arrays::corner(c, i)))
@@ -289,12 +278,22 @@ private:
     return false;
   }
 
+  // Opens the facets of cells that were not proved, each once.
   void open_illegal()
   {
+    Cell_marks_3& marks = m_state.marks;
+    marks.clear(m_state.arrays.number_of_cells());
+    for (const std::vector<Cell_index>* cells : {&m_bad, &m_open})
+      for (const Cell_index c : *cells)
+        marks.insert(c);
+    const auto is_first = [&](Corner_index k) {
+      const Corner_index mirror = m_state.arrays.mirror(k);
+      return k < mirror || !marks.has(Arrays::cell_of(mirror));
+    };
     for (const std::vector<Cell_index>* cells : {&m_bad, &m_open})
       for (const Cell_index c : *cells)
         if (!m_state.arrays.is_free(c))
-          m_flips.open_cell(c);
+          m_flips.open_cell(c, is_first);
   }
 
   // Where flips are stuck, a vertex steps back, and is released again. False where that is
@@ -333,42 +332,23 @@ private:
     return true;
   }
 
-  // PROOF -----------------------------------------------------------------------------------------
-
-  bool are_coplanar() const
-  {
-    std::vector<Vertex_index> vertices;
-    for (Vertex_index v(1); v < m_state.positions.number(); ++v)
-      vertices.push_back(v);
-    return !begins_with_a_cell(m_state, vertices);
-  }
-
-  // All cells are positive and all facets legal by now.
-  bool covers_space_once()
-  {
-    find_star(m_state.arrays, infinite_index, m_state.marks, m_star);
-    return Hull_count_3<State>(m_state).is_one(m_star);
-  }
-
-  // Where more is to be mended, it costs more than a rebuild. Of 10,000 random points, steps of
-  // 0.14 mean spacings break three cells a vertex; then both ways take as long.
-  static constexpr std::size_t most_broken = 3, sample = 64; // cells a vertex; cells
+  static constexpr std::size_t sample = 64; // cells
   static constexpr std::size_t few_inverted = 16, inverted_share = 4, few_held = 20, held_share = 8;
   static constexpr std::size_t few_stuck = 16, stuck_share = 1024; // facets
   static constexpr int rounds = 4, steps = 100;                    // of retreats from them
 
   State& m_state;
   bool m_is_certified = true;        // no points are triangulated
-  Staged_positions_3<Point> m_other; // from the exchange on, those of the last frame
+  typename State::Staged m_other; // from the exchange on, those of the last frame
   Lawson_flips_3<State> m_flips;
   Held_vertices_3<State> m_held;
-  Waiting_points_3<State> m_waiting;
-  Whole_rebuild_3<State> m_rebuild;
+  Waiting_points_3<Space> m_waiting;
+  Whole_rebuild_3<Space> m_rebuild;
+  typename Space::Proof m_proof;
 
   Update_report_3 m_report;
   Unproved_cells_3 m_unproved;
   std::vector<Cell_index> m_bad, m_open; // of the unproved ones: not positive, positive
-  std::vector<Cell_index> m_star;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -6,13 +6,13 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Vertex_insertion_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Vertex_removal_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Lawson_flips_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Vertex_order_3.h>
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -20,21 +20,23 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 // Takes vertices out of cells that are Delaunay, and inserts points that wait, into such cells:
 // those of vertices that were taken out, covered points that have parted, and new ones.
-template <class State>
+template <class Space>
 class Waiting_points_3
 {
-  using Arrays = Tetrahedra_arrays_3;
+  using State = typename Space::State;
+  using Arrays = typename State::Arrays;
   using Point = typename State::Point;
-  using Place = Place_3<Point>;
+  using Place = typename State::Place;
+  using Flips = Lawson_flips_3<State>;
 
 public:
   // Keeps the array of former positions as long as that of the state.
-  Waiting_points_3(State& state, Positions_3<Point>& previous, Lawson_flips_3<State>& flips)
+  Waiting_points_3(State& state, typename State::Positions& previous, Flips& flips)
     : m_state(state)
     , m_previous(previous)
     , m_flips(flips)
-    , m_insertion(state, state.arrays, state.marks)
-    , m_removal(state, flips)
+    , m_insertion(state)
+    , m_removal(state)
   {
   }
 
@@ -87,7 +89,7 @@ public:
     const Vertex_index beside = some_neighbor(v);
     if (!take_out(v))
       return false;
-    m_state.positions.set(v, place);
+    set_place(v, place);
     m_pending.push_back({v, m_state.ids.representative(v), place, beside});
     return true;
   }
@@ -100,34 +102,35 @@ public:
     for (const Point_id id : m_state.ids.covered_ids()) {
       const Point& point = m_state.ids.covered_point(id);
       const Vertex_index v = m_state.ids.vertex(id);
-      if (m_state.coincide(point, m_state.point(v)))
-        continue;
-      m_pending.push_back({null_index, id, place_of(point), v});
+      if (!m_state.coincide(point, v))
+        m_pending.push_back({null_index, id, m_state.place_near(point, v), v});
     }
     return m_pending.size() - before;
   }
 
   void wait(Point_id id, const Point& point)
   {
-    m_pending.push_back({null_index, id, place_of(point), null_index});
+    m_pending.push_back({null_index, id, m_state.place_of(point), null_index});
   }
 
-  // Inserts all that wait. Returns how many of the vertices that were taken out coincide with
-  // others now. Then each vertex has cells.
-  std::size_t insert_all()
+  // Inserts all that wait. Then each vertex has cells. False if that has failed.
+  bool insert_all()
   {
-    std::size_t merged = 0;
+    m_merged = 0;
     sort_pending();
     m_first_new = null_index;
     m_has_start = false;
     for (const Pending& pending : m_pending) {
       if (m_first_new == null_index && pending.beside == null_index)
         m_first_new = Vertex_index(m_state.positions.number());
-      merged += insert(pending);
+      if (!insert(pending))
+        return false;
     }
     drop_vertices_without_cells();
-    return merged;
+    return true;
   }
+  // How many of the vertices that were taken out have been found to coincide with others.
+  std::size_t number_of_merged() const { return m_merged; }
 
 private:
   // A point that waits to be inserted: of a vertex that has no cells, or a new one.
@@ -139,7 +142,11 @@ private:
     Vertex_index beside; // a vertex to start the search at, or null_index
   };
 
-  static Place place_of(const Point& point) { return Place(approximation(point), point); }
+  void set_place(Vertex_index v, const Place& place)
+  {
+    m_state.positions.set(v, place);
+    m_state.include(place);
+  }
 
   // TAKING OUT ------------------------------------------------------------------------------------
 
@@ -154,9 +161,7 @@ private:
     const Vertex_index v = ids.vertex(id);
     const Point_id heir = ids.find_covered_at(v, [](const Point&) { return true; });
     if (heir != null_index) {
-      const Place place = place_of(ids.covered_point(heir));
-      ids.exchange_representative(heir, m_state.point(v));
-      m_state.positions.set(v, place);
+      let_represent(heir, v);
       ids.remove_covered(id);
       return null_index;
     }
@@ -164,28 +169,42 @@ private:
     return v;
   }
 
+  // Lets a covered point represent its vertex, which stays where it is.
+  void let_represent(Point_id heir, Vertex_index v)
+  {
+    const Place place = m_state.place_near(m_state.ids.covered_point(heir), v);
+    m_state.ids.exchange_representative(heir, m_state.point(v));
+    set_place(v, place);
+  }
+
   bool move_point(Point_id id, const Point& point, bool is_mending)
   {
     auto& ids = m_state.ids;
     const Vertex_index v = ids.vertex(id);
-    const auto is_here = [&](const Point& p) { return m_state.coincide(p, m_state.point(v)); };
-    if (is_here(point))
-      return true;
-    if (ids.is_representative(id)) // covered points that have been moved cannot stand in for it
-      if (const Point_id heir = ids.find_covered_at(v, is_here); heir != null_index)
-        ids.exchange_representative(heir, m_state.point(v));
-    if (!ids.is_representative(id)) {
-      ids.covered_point(id) = point;
-      m_pending.push_back({null_index, id, place_of(point), v});
+    const auto is_here = [&](const Point& p) { return m_state.coincide(p, v); };
+    const Place place = m_state.place_near(point, v);
+    if (is_here(point)) {
+      if (ids.is_representative(id))
+        set_place(v, place); // another image
+      else
+        ids.covered_point(id) = point;
       return true;
     }
-    m_state.positions_are_exact = m_state.positions_are_exact && has_exact_position(point);
-    if (is_mending && move_within_star(v, place_of(point)))
+    if (ids.is_representative(id)) // covered points that have been moved cannot stand in for it
+      if (const Point_id heir = ids.find_covered_at(v, is_here); heir != null_index)
+        let_represent(heir, v);
+    if (!ids.is_representative(id)) {
+      ids.covered_point(id) = point;
+      m_pending.push_back({null_index, id, place, v});
+      return true;
+    }
+    m_state.include(place);
+    if (is_mending && move_within_star(v, place))
       return true;
     const Vertex_index beside = is_mending ? some_neighbor(v) : Vertex_index(null_index);
     const bool is_right = !is_mending || take_out(v);
-    m_state.positions.set(v, place_of(point));
-    m_pending.push_back({v, id, place_of(point), beside});
+    m_state.positions.set(v, place);
+    m_pending.push_back({v, id, place, beside});
     return is_right;
   }
 
@@ -199,7 +218,7 @@ private:
     const Place before = m_state.positions.place(v);
     m_state.positions.set(v, place);
     const bool is_inside = std::all_of(m_star.begin(), m_star.end(), [&](Cell_index c) {
-      return !arrays.is_infinite(c) && m_flips.signs().is_positive(arrays.vertices(c));
+      return !arrays.is_infinite(c) && m_flips.is_positive(c);
     });
     if (is_inside) {
       arrays.begin();
@@ -218,7 +237,7 @@ private:
 
   bool take_out(Vertex_index v)
   {
-    if (!m_removal.remove(v))
+    if (!m_removal.remove(v, m_flips))
       return false;
     m_flips.run();
     return m_flips.take_stuck().empty();
@@ -252,28 +271,35 @@ private:
       *(first_new + std::ptrdiff_t(n++)) = fresh[i];
   }
 
-  // Whether a vertex that was taken out has merged with another one.
+  // False if the images of a point are in each other's way.
   bool insert(const Pending& pending)
   {
     const Vertex_index v = pending.vertex != null_index ? pending.vertex : append_vertex(pending);
     start_near(pending);
-    const Vertex_index other = m_insertion.insert(v);
-    auto& ids = m_state.ids;
-    if (other == null_index) {
-      if (pending.vertex == null_index)
-        ids.place_representative(pending.id, v);
+    const std::optional<Vertex_index> other = m_insertion.insert(v);
+    if (!other)
       return false;
-    }
+    if (*other != null_index)
+      merge(pending, v, *other);
+    else if (pending.vertex == null_index)
+      m_state.ids.place_representative(pending.id, v);
+    return true;
+  }
+
+  // A point that waits is where another vertex is.
+  void merge(const Pending& pending, Vertex_index v, Vertex_index other)
+  {
+    auto& ids = m_state.ids;
     m_without_cells.push_back(v);
     if (pending.vertex == null_index) {
-      ids.place_covered(pending.id, other, pending.place.point());
+      ids.place_covered(pending.id, other, m_state.point_at(pending.place));
       if (other >= m_first_new && pending.id < ids.representative(other))
-        ids.exchange_representative(pending.id, m_state.point(other));
-      return false;
+        let_represent(pending.id, other);
+      return;
     }
     ids.reserve_for_covered(1);
-    ids.merge(v, other, pending.place.point());
-    return true;
+    ids.merge(v, other, m_state.point_at(pending.place));
+    ++m_merged;
   }
 
   Vertex_index append_vertex(const Pending& pending)
@@ -284,9 +310,7 @@ private:
     m_previous.resize(v + 1);
     m_state.arrays.resize_vertices(v + 1);
     m_state.ids.append_vertex(); // throws nothing
-    m_state.positions.set(v, pending.place);
-    m_state.positions_are_exact =
-        m_state.positions_are_exact && has_exact_position(pending.place.point());
+    set_place(v, pending.place);
     return v;
   }
 
@@ -352,14 +376,15 @@ private:
   }
 
   State& m_state;
-  Positions_3<Point>& m_previous;
-  Lawson_flips_3<State>& m_flips;
-  Vertex_insertion_3<State> m_insertion;
-  Vertex_removal_3<State> m_removal;
+  typename State::Positions& m_previous;
+  Flips& m_flips;
+  typename Space::Insertion m_insertion;
+  typename Space::Removal m_removal;
   std::vector<Pending> m_pending;
   std::vector<Vertex_index> m_without_cells; // vertices that have lost their points
   Vertex_index m_first_new;                  // from here on, vertices are of new points
   bool m_has_start = false;                  // the last insertion is close to the next one
+  std::size_t m_merged = 0;
   std::vector<Cell_index> m_star;
 };
 

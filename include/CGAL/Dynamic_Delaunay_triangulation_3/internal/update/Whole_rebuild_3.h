@@ -7,7 +7,6 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Static_triangulator_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Vertex_order_3.h>
 
 #include <cstddef>
@@ -18,11 +17,12 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 // Triangulates all points anew, with new numbers of vertices.
-template <class State>
+template <class Space>
 class Whole_rebuild_3
 {
+  using State = typename Space::State;
   using Point = typename State::Point;
-  using Place = Place_3<Point>;
+  using Place = typename State::Place;
 
 public:
   explicit Whole_rebuild_3(State& state)
@@ -35,18 +35,15 @@ public:
   // curve; then those that coincide with others lose theirs. If memory runs out, no point is lost.
   void run(const Change_3<Point>& change, bool is_order_lost)
   {
+    m_state.begin_rebuild();
     std::vector<Located> points = all_points(change);
     if (is_order_lost)
       sort_along_curve(points);
     take_over(points);
     std::vector<std::pair<Vertex_index, Vertex_index>> covered;
     m_static.triangulate(covered);
-    if (covered.empty())
-      return;
-    for (const auto& [v, other] : covered)
-      if (points[v - 1].precedes(points[other - 1]))
-        std::swap(points[v - 1], points[other - 1]);
-    cover(points, covered);
+    if (!covered.empty())
+      cover(points, covered);
   }
 
 private:
@@ -72,45 +69,43 @@ private:
     points.reserve(ids.number_of_points() + change.coming.size());
     for (Vertex_index v(1); v < m_state.positions.number(); ++v)
       if (ids.has_representative(v))
-        points.push_back({ids.representative(v), m_state.positions.place(v), Kind::REPRESENTATIVE});
+        points.push_back({ids.representative(v), m_state.place_anew(v), Kind::REPRESENTATIVE});
     for (const Point_id id : ids.covered_ids())
-      points.push_back({id, place_of(ids.covered_point(id)), Kind::COVERED});
+      points.push_back({id, m_state.place_of(ids.covered_point(id)), Kind::COVERED});
     for (std::size_t i = 0; i < change.coming.size(); ++i)
       if (!ids.is_taken(change.coming[i]))
-        points.push_back({change.coming[i], place_of(change.coming_points[i]), Kind::NEW});
+        points.push_back({change.coming[i], m_state.place_of(change.coming_points[i]), Kind::NEW});
     return points;
   }
-
-  static Place place_of(const Point& point) { return Place(approximation(point), point); }
 
   // Gives each point a vertex of its own.
   void take_over(const std::vector<Located>& points)
   {
     typename State::Ids ids;
-    Positions_3<Point> positions;
+    typename State::Positions positions;
     ids.reset(m_state.ids.number_of_ids());
     positions.resize(Index(points.size()) + 1);
     for (const Located& point : points)
       positions.set(ids.add_representative(point.id), point.place);
     ids.finish_numbering();
-    bool are_exact = true;
-    if constexpr (!is_three_doubles<Point>)
-      for (const Located& point : points)
-        are_exact = are_exact && has_exact_position(point.place.point());
     m_state.positions.swap(positions);
     std::swap(m_state.ids, ids);
-    m_state.positions_are_exact = are_exact;
+    m_state.include_all();
   }
 
-  // Takes the vertices from points that coincide with those of others.
-  void cover(const std::vector<Located>& points,
+  // Takes the vertices from points that coincide with those of others. Of each such set the point
+  // that precedes the others represents them.
+  void cover(std::vector<Located>& points,
              const std::vector<std::pair<Vertex_index, Vertex_index>>& covered)
   {
     Column<Vertex_index, Vertex_index> numbers(points.size() + 1, infinite_index);
-    for (const auto& [v, other] : covered)
+    for (const auto& [v, other] : covered) {
       numbers[v] = null_index;
+      if (points[v - 1].precedes(points[other - 1]))
+        exchange(points[v - 1], points[other - 1], other);
+    }
     typename State::Ids ids;
-    Positions_3<Point> positions;
+    typename State::Positions positions;
     ids.reset(m_state.ids.number_of_ids());
     positions.resize(Index(points.size() - covered.size()) + 1);
     for (Vertex_index v(1); v <= points.size(); ++v)
@@ -119,17 +114,20 @@ private:
         positions.set(numbers[v], points[v - 1].place);
       }
     for (const auto& [v, other] : covered)
-      ids.cover(points[v - 1].id, numbers[other], points[v - 1].place.point());
+      ids.cover(points[v - 1].id, numbers[other], m_state.point_at(points[v - 1].place));
     ids.finish_numbering();
-    m_state.arrays.renumber_all(numbers, Index(positions.number()));
-    for (auto& edge : m_state.flat_edges)
-      for (Vertex_index& v : edge)
-        v = numbers[v];
-    for (auto& triangle : m_state.flat_triangles)
-      for (Vertex_index& v : triangle)
-        v = numbers[v];
+    m_state.renumber_vertices(numbers, Index(positions.number()));
     m_state.positions.swap(positions);
     std::swap(m_state.ids, ids);
+    m_state.include_all();
+  }
+
+  // Exchanges points that coincide. The vertex that has cells stays where it is: on a torus, at
+  // that image of its new point.
+  void exchange(Located& covered, Located& representative, Vertex_index v) const
+  {
+    std::swap(covered, representative);
+    representative.place = m_state.place_near(m_state.point_at(representative.place), v);
   }
 
   static void sort_along_curve(std::vector<Located>& points)
@@ -146,7 +144,7 @@ private:
   }
 
   State& m_state;
-  Static_triangulator_3<State> m_static;
+  typename Space::Static m_static;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_SPACE_STATE_BASE_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_SPACE_STATE_BASE_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Parallel_parts.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Point_ids_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_arrays_3.h>
+
+#include <cstddef>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Points, their ids and their cells, in open space or on a torus.
+//
+// What the update, mending and rebuilds ask of a state, beside these:
+//   Place, Staged                     a place has a `position`: it says, exactly, where a vertex is
+//   Point point(v), point_at(place)   as it was given
+//   Place place_of(point)             of a new point
+//   Place place_near(point, v)        of the image of a point that is nearest to a vertex
+//   Place place_anew(v)               of a vertex after begin_rebuild()
+//   bool coincide(point, v)           whether an image of a point is exactly where a vertex is
+//   void check(point, id)             throws if it is refused
+//   void include(place)               a vertex has got this place: filters have to reckon with it
+//   void include_all()                the same, of all vertices anew
+//   bool begin_frame(mean, previous)  vertices have new positions; false if nothing can be mended
+//   void end_change()                 before a call ends that has mended something
+//   void begin_rebuild()              all points are about to get other vertices
+//   renumber_vertices(numbers, n)     of the cells, as `Cell_arrays_3::renumber_all()`
+//   spans_space, positions_are_exact, has_origin, origin, most_broken
+template <class GeomTraits, class ConcurrencyTag, class Positions_of_space, class Arrays_of_space>
+class State_base_3
+{
+public:
+  using Traits = GeomTraits;
+  using Point = typename Traits::Point_3;
+  using Positions = Positions_of_space;
+  using Place = typename Positions::Place;
+  using Arrays = Arrays_of_space;
+  using Ids = Dynamic_Delaunay_triangulations_2::internal::Point_ids_2<Point>;
+  using Parts = Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<ConcurrencyTag>;
+
+  State_base_3()
+  {
+    ids.reset(0);
+    positions.resize(1);
+    arrays.resize_vertices(1);
+  }
+
+  Index number_of_vertices() const { return ids.number_of_representatives(); } // finite ones
+
+  // Gives up all cells. Points of the ids that are taken keep their places; the last vertices take
+  // the numbers of those that have no point. For use after an exception: allocates nothing, if
+  // there is memory for all free ids.
+  void drop_cells()
+  {
+    spans_space = false;
+    arrays.clear_cells();
+    for (Vertex_index v(1); v <= ids.number_of_representatives();) {
+      const Vertex_index last(ids.number_of_representatives());
+      if (ids.has_representative(v)) {
+        ++v;
+        continue;
+      }
+      if (ids.has_representative(last)) {
+        positions.set(v, positions.place(last));
+        ids.move_points(last, v);
+      }
+      ids.resize(last - 1);
+    }
+    positions.resize(ids.number_of_representatives() + 1);
+    ids.find_free_ids();
+  }
+
+  Ids ids;
+  Positions positions;
+  Arrays arrays;
+  Cell_marks_3 marks; // of these cells; each tool clears them before it uses them
+  bool spans_space = false; // whether there are cells
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_SPACE_STATE_BASE_3_H
