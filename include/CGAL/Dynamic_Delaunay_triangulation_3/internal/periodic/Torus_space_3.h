@@ -12,6 +12,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_triangulator_3.h>
 
+#include <string_view>
+
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 // A torus: what an update does there. There is no hull: cells that stay positive go on covering the
@@ -19,6 +21,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 template <class Traits, class ConcurrencyTag>
 struct Torus_space_3
 {
+  static constexpr std::string_view name = "Dynamic_periodic_Delaunay_triangulation_3";
+
   using State = Torus_state_3<Traits, ConcurrencyTag>;
   using Insertion = Torus_insertion_3<State>;
   using Removal = Torus_removal_3<State>;

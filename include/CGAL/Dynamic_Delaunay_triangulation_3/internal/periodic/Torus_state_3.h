@@ -98,14 +98,21 @@ template <class Point>
 class Torus_staged_3
 {
 public:
-  // The cell of the next frame.
-  void set_cell(const Torus_3& present, const Periodic_cell_3& cell)
+  // The cell of the next frame: the present one,
+  template <class State>
+  void set_cell(const State&)
   {
     m_torus.reset();
     m_can_mend = true;
-    if (cell == present.cell())
+  }
+  // or another one.
+  template <class State>
+  void set_cell(const State& state, const Periodic_cell_3& cell)
+  {
+    set_cell(state);
+    if (cell == state.torus.cell())
       return;
-    m_torus = present.moved_to(cell);
+    m_torus = state.torus.moved_to(cell);
     m_can_mend = m_torus.has_value();
     if (!m_torus)
       m_torus = Torus_3(cell);
@@ -195,6 +202,8 @@ public:
     : torus(cell)
   {
   }
+
+  Torus_state_3 without_points() const { return Torus_state_3(torus.cell()); }
 
   using Base::arrays;
   using Base::positions;

@@ -6,8 +6,8 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_triangulation_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Site_charts_3.h>
 
 #include <type_traits>

@@ -20,6 +20,11 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 template <class Point>
 struct Staged_positions_3
 {
+  // There is one cell only, as it were.
+  template <class State>
+  static void set_cell(const State&)
+  {
+  }
   static constexpr bool can_mend() { return true; }
 
   // False if the point is refused.
@@ -88,6 +93,8 @@ public:
     : traits(geometry)
   {
   }
+
+  Triangulation_state_3 without_points() const { return Triangulation_state_3(traits); }
 
   using Base::ids;
   using Base::positions;

@@ -13,6 +13,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Triangulation_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Static_triangulator_3.h>
 
+#include <string_view>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
@@ -67,6 +68,8 @@ private:
 template <class Traits, class ConcurrencyTag>
 struct Open_space_3
 {
+  static constexpr std::string_view name = "Dynamic_Delaunay_triangulation_3";
+
   using State = Triangulation_state_3<Traits, ConcurrencyTag>;
   using Insertion = Vertex_insertion_3<State>;
   using Removal = Vertex_removal_3<State>;
