@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_shift_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
 
 #include <array>
@@ -63,6 +64,58 @@ public:
   void after_facet_creation(const Dynamic&, const std::array<std::size_t, 3>&)
   {
   }
+
+  /// \name Periodic Space
+  /// In periodic space the functions above are replaced by these. A shift is that of an image from
+  /// where its point is given. All shifts, also those of what is gone, are for the present points
+  /// and the present cell. Those that say how shifts change are called before all others.
+  /// @{
+
+  /// does nothing. Called for each facet that is gone, with the ids of its vertices and their
+  /// shifts, of which the first is (0, 0, 0).
+  template <class Dynamic>
+  void after_facet_removal(const Dynamic&, const std::array<std::size_t, 3>&,
+                           const std::array<Periodic_shift_3, 3>&)
+  {
+  }
+
+  /// does nothing. Called for each edge that is gone, with the ids of its ends and the shift of the
+  /// second one.
+  template <class Dynamic>
+  void after_edge_removal(const Dynamic&, std::size_t, std::size_t, const Periodic_shift_3&)
+  {
+  }
+
+  /// does nothing. Called for each new edge.
+  template <class Dynamic>
+  void after_edge_creation(const Dynamic&, std::size_t, std::size_t, const Periodic_shift_3&)
+  {
+  }
+
+  /// does nothing. Called for each new facet.
+  template <class Dynamic>
+  void after_facet_creation(const Dynamic&, const std::array<std::size_t, 3>&,
+                            const std::array<Periodic_shift_3, 3>&)
+  {
+  }
+
+  /// does nothing. Called for each point that is now given at another image than where it went, as
+  /// by wrapping it into the cell, with its id and how far it was translated: what was its image by
+  /// s is now that by s minus this shift.
+  template <class Dynamic>
+  void after_translation(const Dynamic&, std::size_t, const Periodic_shift_3&)
+  {
+  }
+
+  /// does nothing. Called if the cell has other vectors for the same lattice than before, as when a
+  /// sheared cell is flipped, with what each of the former vectors is in the present ones. All
+  /// shifts change so.
+  template <class Dynamic>
+  void after_cell_exchange(const Dynamic&, const std::array<Periodic_shift_3, 3>&)
+  {
+  }
+
+  /// @}
 
   /// does nothing. Called in the end.
   template <class Dynamic>

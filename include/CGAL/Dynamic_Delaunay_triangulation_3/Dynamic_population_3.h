@@ -12,7 +12,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_cell_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
 
 #include <cstddef>
@@ -35,7 +35,7 @@ tracking data. Every frame lists the points that exist, by ids that the user cho
 new ids are inserted, points whose ids are missing are removed, and the others move: what
 `Dynamic_population_2` does in the plane.
 
-\tparam Dynamic a `Dynamic_Delaunay_triangulation_3`.
+\tparam Dynamic a `Dynamic_Delaunay_triangulation_3` or a `Dynamic_periodic_Delaunay_triangulation_3`.
 \tparam UserId any integer type.
 */
 template <class Dynamic, class UserId = std::int64_t>
@@ -83,7 +83,8 @@ public:
   /// If one of these functions throws an exception that its documentation names, or if the range
   /// throws, nothing changes. If memory runs out later, each point is inserted (or removed)
   /// completely or not at all, each of the others is where it was or where it belongs, and there
-  /// are no cells until the next call; `mend()` makes them again.
+  /// are no cells until the next call; `mend()` makes them again. In periodic space
+  /// `Periodic_range_error_3` takes the place of `Coordinate_range_error_3`.
   /// @{
 
   /// takes a whole frame: inserts the points whose ids are new, removes those whose ids are
@@ -108,8 +109,7 @@ public:
   Update_report_3 update(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
                          PointMap point_map = PointMap())
   {
-    m_frame.read(first, beyond, id_map, point_map, Check(), m_triangulation);
-    return take_frame();
+    return update_to(first, beyond, id_map, point_map);
   }
 
   /// takes a whole frame from a range with `begin()` and `end()`.
@@ -119,6 +119,38 @@ public:
                          PointMap point_map = PointMap())
   {
     return update(std::begin(range), std::end(range), id_map, point_map);
+  }
+
+  /// takes a whole frame of a `Dynamic_periodic_Delaunay_triangulation_3`, in a cell that has
+  /// changed. \throws Periodic_cell_error_3 as
+  /// `Dynamic_periodic_Delaunay_triangulation_3::update()`, and what `update(first, beyond)` throws.
+  template <class InputIterator, class IdMap, class PointMap>
+  Update_report_3 update(InputIterator first, InputIterator beyond, IdMap id_map,
+                         PointMap point_map, const Periodic_cell_3& cell)
+  {
+    return update_to(first, beyond, id_map, point_map, cell);
+  }
+
+  /// takes a whole frame of pairs of ids and points, in a cell that has changed.
+  template <class InputIterator>
+  Update_report_3 update(InputIterator first, InputIterator beyond, const Periodic_cell_3& cell)
+  {
+    return update_to(first, beyond, First_of<InputIterator>(), Second_of<InputIterator>(), cell);
+  }
+
+  /// takes a whole frame, in a cell that has changed, from a range with `begin()` and `end()`.
+  template <class Range, class IdMap, class PointMap, class = If_range<Range>>
+  Update_report_3 update(const Range& range, IdMap id_map, PointMap point_map,
+                         const Periodic_cell_3& cell)
+  {
+    return update_to(std::begin(range), std::end(range), id_map, point_map, cell);
+  }
+
+  /// takes a whole frame of pairs of ids and points, in a cell that has changed, from a range.
+  template <class Range, class = If_range<Range>>
+  Update_report_3 update(const Range& range, const Periodic_cell_3& cell)
+  {
+    return update(std::begin(range), std::end(range), cell);
   }
 
   /// adds a point. \throws Repeated_id_error_2 if a point has this id already.
@@ -140,7 +172,8 @@ public:
   Update_report_3 insert(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
                          PointMap point_map = PointMap())
   {
-    m_frame.read_newcomers(first, beyond, id_map, point_map, Check());
+    m_frame.read_newcomers(first, beyond, id_map, point_map,
+                           Access::position_check(m_triangulation));
     m_frame.expect(m_frame.new_points().size(), m_triangulation);
     const Dynamic_Delaunay_triangulations_2::internal::At_exit record{
         [this] { m_frame.record_newcomers(m_triangulation); }};
@@ -207,7 +240,7 @@ public:
   {
     std::vector<UserId> user_ids;
     std::vector<std::pair<size_type, Point>> movers;
-    Frame::read_each(first, beyond, id_map, point_map, Check(),
+    Frame::read_each(first, beyond, id_map, point_map, Access::position_check(m_triangulation),
                      [&](UserId user_id, const Point& p) {
                        movers.emplace_back(id(user_id), p);
                        user_ids.push_back(user_id);
@@ -296,17 +329,13 @@ public:
 private:
   static constexpr std::string_view checkpoint_subject = "Dynamic_population_3";
 
-  struct Check
+  // Takes a frame, in another cell if there is one more argument.
+  template <class InputIterator, class IdMap, class PointMap, class... Cell>
+  Update_report_3 update_to(InputIterator first, InputIterator beyond, const IdMap& id_map,
+                            const PointMap& point_map, const Cell&... cell)
   {
-    void operator()(const Point& p, size_type place) const
-    {
-      Dynamic_Delaunay_triangulations_3::internal::checked_position(p, place);
-    }
-  };
-
-  // Takes the frame that was read.
-  Update_report_3 take_frame()
-  {
+    m_frame.read(first, beyond, id_map, point_map, Access::position_check(m_triangulation, cell...),
+                 m_triangulation);
     m_frame.expect(m_frame.new_points().size(), m_triangulation);
     const Dynamic_Delaunay_triangulations_2::internal::At_exit record{[this] {
       m_frame.forget_gone(m_frame.missing(), m_triangulation);

@@ -13,8 +13,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_options_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_frame_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_triangulation_settings_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/views/Dynamic_frame_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/policies/Dynamic_triangulation_settings_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_reader_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_writer_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
@@ -568,16 +568,27 @@ private:
   }
   void tell(const Update_report_3& report)
   {
+    using Names = typename Changes::Names;
     Visitor& visitor = m_core->visitor;
     const auto &removed = m_core->changes.removed(), &created = m_core->changes.created();
+    Names::tell(m_core->state, visitor, dynamic());
+    m_core->changes.close(m_core->state);
     for (const auto& facet : removed.facets)
-      visitor.after_facet_removal(dynamic(), facet);
+      Names::apply(facet, [&](const auto&... args) {
+        visitor.after_facet_removal(dynamic(), args...);
+      });
     for (const auto& edge : removed.edges)
-      visitor.after_edge_removal(dynamic(), edge[0], edge[1]);
+      Names::apply(edge, [&](const auto&... args) {
+        visitor.after_edge_removal(dynamic(), args...);
+      });
     for (const auto& edge : created.edges)
-      visitor.after_edge_creation(dynamic(), edge[0], edge[1]);
+      Names::apply(edge, [&](const auto&... args) {
+        visitor.after_edge_creation(dynamic(), args...);
+      });
     for (const auto& facet : created.facets)
-      visitor.after_facet_creation(dynamic(), facet);
+      Names::apply(facet, [&](const auto&... args) {
+        visitor.after_facet_creation(dynamic(), args...);
+      });
     visitor.after_update(dynamic(), report);
   }
 

@@ -67,6 +67,8 @@ struct Torus_point_3
 class Torus_3
 {
 public:
+  using Basis = std::array<std::array<double, 3>, 3>; // of integers
+
   // By which a point may be away from the origin, in vectors of the cell or of the basis; no
   // vector of a short basis has larger multiples of the cell's vectors.
   static constexpr double max_multiple = 0x1p20;
@@ -81,6 +83,16 @@ public:
     set_near();
     if (!is_measurable())
       refuse(m_cell, "doubles cannot tell how far points are apart in it");
+  }
+
+  // With these combinations of the cell's vectors as basis. Nothing if they are none, or so long or
+  // flat that doubles do not serve.
+  static std::optional<Torus_3> with_basis(const Periodic_cell_3& cell, const Basis& basis)
+  {
+    const Torus_3 torus(cell, basis);
+    if (std::abs(determinant(basis)) != 1 || !torus.is_measurable())
+      return std::nullopt;
+    return torus;
   }
 
   // The same lattice, with a short basis.
@@ -113,6 +125,7 @@ public:
   }
 
   const Periodic_cell_3& cell() const { return m_cell; }
+  const Basis& basis() const { return m_basis; } // of each vector, multiples of the cell's
   const Position_3& vector(int i) const { return m_vectors[std::size_t(i)]; }
   const Exact_vector_3& exact_vector(int i) const { return m_exact_vectors[std::size_t(i)]; }
   double volume() const { return std::abs(m_determinant); }
@@ -213,8 +226,6 @@ public:
   }
 
 private:
-  using Basis = std::array<std::array<double, 3>, 3>; // of integers
-
   static Basis unit_basis() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
 
   Torus_3(const Periodic_cell_3& cell, const Basis& basis)

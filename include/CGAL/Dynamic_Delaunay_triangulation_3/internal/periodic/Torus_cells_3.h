@@ -20,7 +20,17 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // A cell of a torus, in one line of a cache.
 struct alignas(64) Torus_cell_3
 {
+  using Sites = Torus_sites_3;
   static constexpr bool may_repeat_vertices = true;
+
+  Sites sites() const
+  {
+    Sites sites;
+    for (int i = 0; i < 4; ++i)
+      sites[i] = {vertices[i], shifts[i]};
+    return sites;
+  }
+  static bool is_free(const Sites& sites) { return sites[0].vertex == null_index; }
 
   Vertices_3 vertices;
   Shifts_3 shifts;
@@ -69,15 +79,7 @@ public:
     const Torus_site_3 beyond = site(mirror(k));
     return {beyond.vertex, beyond.shift + translation(k)};
   }
-  Torus_sites_3 sites(Cell_index c) const
-  {
-    const Cell& cell = m_cells[c];
-    Torus_sites_3 sites;
-    for (int i = 0; i < 4; ++i)
-      sites[i] = {cell.vertices[i], cell.shifts[i]};
-    return sites;
-  }
-
+  Torus_sites_3 sites(Cell_index c) const { return m_cells[c].sites(); }
   // The place of a site in a cell, or 4.
   using Cell_arrays_3::place_of;
   int place_of(Cell_index c, const Torus_site_3& s) const

@@ -10,10 +10,12 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_cells_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_predicates_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_translations_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_signs_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/State_base_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -156,6 +158,30 @@ public:
     if (m_torus)
       std::swap(state.torus, *m_torus);
   }
+  // To be called after that, for visitors: notes which points are given at other images.
+  template <class State>
+  void note_exchange(State& state) const
+  {
+    if (!state.translations.is_on())
+      return;
+    const Torus_3 &from = m_torus ? *m_torus : state.torus, &to = state.torus;
+    if (m_torus)
+      state.translations.exchange_cell(from, to);
+    const auto& ids = state.ids;
+    for (Vertex_index v(1); v < positions.number(); ++v)
+      if (ids.has_representative(v))
+        state.translations.translate(
+            ids.representative(v),
+            to.in_vectors_of_cell(state.positions.multiples(v) - positions.multiples(v)));
+    for (Index i = 0; i < ids.number_of_covered(); ++i) {
+      const Point_id id = ids.covered_id(i);
+      const Position_3 f = from.fractions(positions.position(ids.vertex(id)));
+      const Position_3 old_way = f - from.fractions(approximation(covered[i]));
+      const Position_3 new_way = f - to.fractions(approximation(ids.covered_point(id)));
+      state.translations.translate(
+          id, to.in_vectors_of_cell(Torus_3::nearest(new_way) - Torus_3::nearest(old_way)));
+    }
+  }
   // To be called after that: the last frame's vertices go with the cell.
   template <class State>
   void carry(const State& state)
@@ -250,6 +276,14 @@ public:
                                          : rounded(site, site.shift.multiples());
   }
 
+  // A point is given elsewhere, and may be meant at another image than before.
+  void note_move(Point_id id, const Point& from, const Point& to, Vertex_index v)
+  {
+    if (translations.is_on())
+      translations.translate(id, torus.in_vectors_of_cell(place_near(to, v).multiples -
+                                                          place_near(from, v).multiples));
+  }
+
   // What rounding moves sites by grows with the places that there are.
   void include(const Place& place)
   {
@@ -290,6 +324,26 @@ public:
     arrays.shift_vertices(shifts);
     include_all();
   }
+  // How far points and vertices go, for filters: a coordinate, and a sum of multiples.
+  std::array<double, 2> reach() const { return {m_largest, m_sum}; }
+  // False if that is too little for the points.
+  bool set_reach(const std::array<double, 2>& reach)
+  {
+    include_all();
+    if (!(m_largest <= reach[0] && m_sum <= reach[1]))
+      return false;
+    m_largest = reach[0];
+    m_sum = reach[1];
+    squared_error = torus.squared_error(m_largest, m_sum);
+    return true;
+  }
+  // Whether a vertex is so far out of the basis' parallelepiped that it is wrapped.
+  bool is_far(const Position_3& p) const
+  {
+    const Position_3 f = torus.fractions(p);
+    return !((std::max)({f.x, f.y, f.z}) < 2 && (std::min)({f.x, f.y, f.z}) > -1);
+  }
+
   void begin_rebuild() { torus = torus.with_short_basis(); }
 
   void renumber_vertices(const Column<Vertex_index, Vertex_index>& numbers, Index vertices)
@@ -298,7 +352,8 @@ public:
   }
 
   Torus_3 torus;
-  double squared_error = 0; // by which filters have to reckon
+  Torus_translations_3 translations; // for visitors
+  double squared_error = 0;          // by which filters have to reckon
   Position_3 origin{0, 0, 0};
 
 private:
@@ -340,11 +395,6 @@ private:
   static double sum_of(const Multiples_3& m)
   {
     return double(std::abs(m[0])) + std::abs(m[1]) + std::abs(m[2]);
-  }
-  bool is_far(const Position_3& p) const
-  {
-    const Position_3 f = torus.fractions(p);
-    return !((std::max)({f.x, f.y, f.z}) < 2 && (std::min)({f.x, f.y, f.z}) > -1);
   }
 
   double m_largest = 0, m_sum = 0; // a coordinate; absolute values of the multiples of a vertex

@@ -219,7 +219,7 @@ private:
   // By how much a point that is covered at v must be shifted to be where the point of v is.
   Periodic_shift_3 shift_to(Vertex_index v, const Position_3& p) const
   {
-    const auto place = m_state.place_at(p, m_state.positions.position(v));
+    const auto place = m_state.place_near(p, m_state.positions.position(v));
     return m_state.torus.in_vectors_of_cell(place.multiples - m_state.positions.multiples(v));
   }
 

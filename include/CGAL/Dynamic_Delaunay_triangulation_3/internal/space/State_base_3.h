@@ -25,6 +25,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //   Place place_anew(v)               of a vertex after begin_rebuild()
 //   bool coincide(point, v)           whether an image of a point is exactly where a vertex is
 //   void check(point, id)             throws if it is refused
+//   void note_move(id, p, q, v)       for visitors: a point of a vertex is about to move from p to q
 //   void include(place)               a vertex has got this place: filters have to reckon with it
 //   void include_all()                the same, of all vertices anew
 //   bool begin_frame(mean, previous)  vertices have new positions; false if nothing can be mended

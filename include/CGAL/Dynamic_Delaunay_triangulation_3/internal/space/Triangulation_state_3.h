@@ -55,7 +55,11 @@ struct Staged_positions_3
     std::swap(state.positions_are_exact, are_exact);
   }
   template <class State>
-  void carry(const State&)
+  static void note_exchange(const State&)
+  {
+  }
+  template <class State>
+  static void carry(const State&)
   {
   }
 
@@ -121,6 +125,8 @@ public:
     return p.x() == q.x() && p.y() == q.y() && p.z() == q.z();
   }
   bool coincide(const Point& p, Vertex_index v) const { return coincide(p, point(v)); }
+
+  static void note_move(Point_id, const Point&, const Point&, Vertex_index) {}
 
   void include(const Place& place)
   {

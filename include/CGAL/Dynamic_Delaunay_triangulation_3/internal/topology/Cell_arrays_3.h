@@ -32,7 +32,7 @@ inline std::size_t with_reserve(std::size_t cells)
 // positions.
 //
 // This is what open space and a torus have in common: numbers of cells, walks, gaps, and
-// transactions. A `Cell` has `vertices` and `mirrors`, and whatever else the space needs.
+// transactions. A `Cell` has `vertices`, `mirrors` and `sites()`, and whatever else the space needs.
 template <class Cell_of_space>
 class Cell_arrays_3
 {
@@ -229,7 +229,7 @@ public:
   // begin().
   Cell_history_3<Cell>& history() { return m_history; }
 
-  // Calls f(vertices) for each cell that there was at that begin(). Call finish() before.
+  // Calls f(sites) for each cell that there was at that begin(). Call finish() before.
   template <class Function>
   void for_each_former_of_all(const Function& f) const
   {
@@ -247,7 +247,7 @@ protected:
   void note(Cell_index c)
   {
     if (m_history.is_on())
-      m_history.note(c, vertices(c));
+      m_history.note(c, m_cells[c]);
   }
 
   void record(Cell_index c)

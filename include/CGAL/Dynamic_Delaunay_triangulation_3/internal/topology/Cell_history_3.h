@@ -16,11 +16,13 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 // What cells were since begin(), of those that have changed; of all, once they are given up.
-// `Cell` has `vertices`, of which the first is null_index where there is no cell.
+// A `Cell` has `sites()`, and says of these whether there is no cell.
 template <class Cell>
 class Cell_history_3
 {
 public:
+  using Sites = typename Cell::Sites;
+
   void begin()
   {
     m_former.clear();
@@ -36,7 +38,7 @@ public:
 
   // Whether cells that are about to change are to be noted.
   bool is_on() const { return m_is_on && !m_are_given_up; }
-  void note(Cell_index c, const Vertices_3& vertices) { m_former.push_back({c, vertices}); }
+  void note(Cell_index c, const Cell& cell) { m_former.push_back({c, cell.sites()}); }
 
   // All cells are given up. Takes them instead of copying, so that nothing is thrown.
   void give_up(Column<Cell_index, Cell>& cells)
@@ -56,7 +58,7 @@ public:
                    m_former.end());
   }
 
-  // Calls f(vertices) for each cell that there was, of those that have changed.
+  // Calls f(sites) for each cell that there was, of those that have changed.
   template <class Function>
   void for_each_former(const Function& f) const
   {
@@ -81,7 +83,7 @@ private:
   struct Former
   {
     Cell_index cell;
-    Vertices_3 vertices;
+    Sites sites;
   };
 
   // Those that were noted, and of `others` those that were not.
@@ -91,18 +93,18 @@ private:
     auto next = m_former.begin();
     for (Cell_index c(0); c < others.size(); ++c)
       if (next != m_former.end() && next->cell == c)
-        call(f, (next++)->vertices);
+        call(f, (next++)->sites);
       else
-        call(f, others[c].vertices);
+        call(f, others[c].sites());
     for (; next != m_former.end(); ++next)
-      call(f, next->vertices);
+      call(f, next->sites);
   }
 
   template <class Function>
-  static void call(const Function& f, const Vertices_3& vertices)
+  static void call(const Function& f, const Sites& sites)
   {
-    if (vertices[0] != null_index)
-      f(vertices);
+    if (!Cell::is_free(sites))
+      f(sites);
   }
 
   bool m_is_on = false, m_are_given_up = false;

@@ -20,7 +20,11 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // Cells of open space: vertices, and mirror corners.
 struct Tetrahedron_3
 {
+  using Sites = Vertices_3;
   static constexpr bool may_repeat_vertices = false;
+
+  const Sites& sites() const { return vertices; }
+  static bool is_free(const Sites& sites) { return sites[0] == null_index; }
 
   Vertices_3 vertices;
   Few<Corner_index, 4> mirrors;

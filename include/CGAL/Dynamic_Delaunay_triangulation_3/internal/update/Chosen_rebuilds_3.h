@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_frame_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/views/Dynamic_frame_3.h>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 

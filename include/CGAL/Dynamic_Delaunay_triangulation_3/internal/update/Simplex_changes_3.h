@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Tetrahedra_arrays_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_arrays_3.h>
 
 #include <algorithm>
 #include <array>
@@ -16,11 +16,13 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// Finite edges and facets, by ascending ids of representatives.
+// Finite edges and facets, by what `Names` calls their sites, in the order of these.
+template <class Names>
 struct Simplices_3
 {
-  using Edge = std::array<std::size_t, 2>;
-  using Facet = std::array<std::size_t, 3>;
+  using Name = typename Names::Name;
+  using Edge = std::array<Name, 2>;
+  using Facet = std::array<Name, 3>;
 
   void clear()
   {
@@ -28,25 +30,25 @@ struct Simplices_3
     facets.clear();
   }
 
-  // `name(v)` is the id of a vertex.
-  template <class Name>
-  void append_cell(const Vertices_3& v, const Name& name)
+  // `name(site)` is the name of a site.
+  template <class Site, class Name_of>
+  void append_cell(const Few<Site, 4>& s, const Name_of& name)
   {
     for (int i = 0; i < 4; ++i) {
       for (int j = i + 1; j < 4; ++j)
-        append(edges, Few<Vertex_index, 2>{v[i], v[j]}, name);
-      append(facets, Few<Vertex_index, 3>{v[(i + 1) % 4], v[(i + 2) % 4], v[(i + 3) % 4]}, name);
+        append(edges, Few<Site, 2>{s[i], s[j]}, name);
+      append(facets, Few<Site, 3>{s[(i + 1) % 4], s[(i + 2) % 4], s[(i + 3) % 4]}, name);
     }
   }
-  // What there is without cells.
-  template <class State>
-  void append_flat(const State& state)
+  template <class Site, class Name_of>
+  void append_edge(const Few<Site, 2>& edge, const Name_of& name)
   {
-    const auto name = [&state](Vertex_index v) { return state.ids.representative(v); };
-    for (const auto& edge : state.flat_edges)
-      append(edges, edge, name);
-    for (const auto& triangle : state.flat_triangles)
-      append(facets, triangle, name);
+    append(edges, edge, name);
+  }
+  template <class Site, class Name_of>
+  void append_facet(const Few<Site, 3>& facet, const Name_of& name)
+  {
+    append(facets, facet, name);
   }
 
   void make_distinct()
@@ -69,14 +71,16 @@ struct Simplices_3
   std::vector<Facet> facets;
 
 private:
-  template <class Simplex, class Vertices, class Name>
-  static void append(std::vector<Simplex>& list, const Vertices& vertices, const Name& name)
+  template <class Simplex, class Sites, class Name_of>
+  static void append(std::vector<Simplex>& list, const Sites& sites, const Name_of& name)
   {
-    if (std::find(vertices.begin(), vertices.end(), infinite_index) != vertices.end())
-      return;
+    for (const auto& s : sites)
+      if (Names::is_infinite(s))
+        return;
     Simplex simplex;
-    std::transform(vertices.begin(), vertices.end(), simplex.begin(), name);
+    std::transform(sites.begin(), sites.end(), simplex.begin(), name);
     std::sort(simplex.begin(), simplex.end());
+    Names::normalize(simplex);
     list.push_back(simplex);
   }
   template <class Simplex>
@@ -87,6 +91,64 @@ private:
   }
 };
 
+// What visitors call the sites of a state, which may change with a call: ids of representatives.
+template <class State>
+class Site_names_3
+{
+public:
+  using Name = std::size_t;
+
+  static bool is_infinite(Vertex_index v) { return v == infinite_index; }
+  template <class Simplex>
+  static void normalize(Simplex&)
+  {
+  }
+
+  // Remembers the names that there are now.
+  void begin(State& state)
+  {
+    m_names.assign(state.ids.representatives(),
+                   state.ids.representatives() + state.ids.number_of_representatives() + 1);
+  }
+  static void end(State&) {}
+  // Lets the second state tell what has become of names of the first.
+  static void hand_over(State&, State&) {}
+  // What was the name, as it would be now.
+  Name former(const State&, Vertex_index v) const { return m_names[v]; }
+  static Name present(const State& state, Vertex_index v) { return state.ids.representative(v); }
+
+  // Calls f(i, j), or f(ids of a facet).
+  template <class Function>
+  static void apply(const std::array<Name, 2>& edge, const Function& f)
+  {
+    f(edge[0], edge[1]);
+  }
+  template <class Function>
+  static void apply(const std::array<Name, 3>& facet, const Function& f)
+  {
+    f(facet);
+  }
+  // Tells a visitor how names have changed: not at all.
+  template <class Visitor, class Dynamic>
+  static void tell(const State&, Visitor&, const Dynamic&)
+  {
+  }
+
+  // Those that there are without cells.
+  template <class Simplices>
+  static void append_flat(const State& state, Simplices& simplices)
+  {
+    const auto name = [&state](Vertex_index v) { return present(state, v); };
+    for (const auto& edge : state.flat_edges)
+      simplices.append_edge(edge, name);
+    for (const auto& triangle : state.flat_triangles)
+      simplices.append_facet(triangle, name);
+  }
+
+private:
+  Column<Vertex_index, Point_id> m_names;
+};
+
 // Which finite edges and facets an update removes and creates: the difference of those of the cells
 // that have changed, before and after it. (A simplex of cells that have changed and of others is on
 // the boundary of both, so it is in neither.) What a call that has failed has changed belongs to
@@ -94,16 +156,21 @@ private:
 template <class State>
 class Simplex_changes_3
 {
+  using Site = typename State::Arrays::Site;
+  using Sites = typename State::Arrays::Sites;
+
 public:
+  using Names = Site_names_3<State>;
+  using Simplices = Simplices_3<Names>;
+
   // To be called before a change.
   void begin(State& state)
   {
     if (m_is_open)
       return;
-    m_names.assign(state.ids.representatives(),
-                   state.ids.representatives() + state.ids.number_of_representatives() + 1);
+    m_names.begin(state);
     m_before.clear();
-    m_before.append_flat(state);
+    Names::append_flat(state, m_before);
     state.arrays.history().begin();
     m_is_open = true;
   }
@@ -112,7 +179,8 @@ public:
   void end(State& state)
   {
     state.arrays.history().finish();
-    state.arrays.history().for_each_former([this](const Vertices_3& v) { append_former(v); });
+    state.arrays.history().for_each_former(
+        [&](const Sites& sites) { append_former(state, sites); });
     m_now.clear();
     if (state.arrays.history().are_given_up())
       append_all(state, m_now);
@@ -122,17 +190,21 @@ public:
     state.arrays.history().end();
     m_is_open = false;
   }
+  // To be called when all that there is to tell was told.
+  void close(State& state) { m_names.end(state); }
 
   // Compares a state that goes, whose `changes` may be those of a call that has failed, with
   // another one.
-  void compare(State& before, const Simplex_changes_3& changes, const State& now)
+  void compare(State& before, const Simplex_changes_3& changes, State& now)
   {
     m_before.clear();
     if (changes.m_is_open) {
       m_before = changes.m_before; // flat ones
       m_names = changes.m_names;
+      Names::hand_over(before, now);
       before.arrays.history().finish();
-      before.arrays.for_each_former_of_all([this](const Vertices_3& v) { append_former(v); });
+      before.arrays.for_each_former_of_all(
+          [&](const Sites& sites) { append_former(before, sites); });
     } else {
       append_all(before, m_before);
     }
@@ -141,19 +213,19 @@ public:
     compare();
   }
 
-  const Simplices_3& removed() const { return m_removed; }
-  const Simplices_3& created() const { return m_created; }
+  const Simplices& removed() const { return m_removed; }
+  const Simplices& created() const { return m_created; }
 
 private:
-  void append_former(const Vertices_3& vertices)
+  void append_former(const State& state, const Sites& sites)
   {
-    m_before.append_cell(vertices, [this](Vertex_index v) { return m_names[v]; });
+    m_before.append_cell(sites, [&](const Site& s) { return m_names.former(state, s); });
   }
 
-  static void append_cell(const State& state, Cell_index c, Simplices_3& simplices)
+  static void append_cell(const State& state, Cell_index c, Simplices& simplices)
   {
-    simplices.append_cell(state.arrays.vertices(c),
-                          [&state](Vertex_index v) { return state.ids.representative(v); });
+    simplices.append_cell(state.arrays.sites(c),
+                          [&](const Site& s) { return Names::present(state, s); });
   }
 
   void append_changed(State& state)
@@ -164,9 +236,9 @@ private:
     });
   }
 
-  static void append_all(const State& state, Simplices_3& simplices)
+  static void append_all(const State& state, Simplices& simplices)
   {
-    simplices.append_flat(state);
+    Names::append_flat(state, simplices);
     for (Cell_index c(0); state.spans_space && c < state.arrays.number_of_cells(); ++c)
       append_cell(state, c, simplices);
   }
@@ -180,8 +252,8 @@ private:
   }
 
   bool m_is_open = false;
-  Column<Vertex_index, Point_id> m_names; // representatives when it began
-  Simplices_3 m_before, m_now, m_removed, m_created;
+  Names m_names; // when it began
+  Simplices m_before, m_now, m_removed, m_created;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -135,8 +135,10 @@ private:
     if (change.positions != nullptr)
       stage(*change.positions);
     m_state.ids.reserve(change.coming);
-    if (change.is_frame)
+    if (change.is_frame) {
       m_other.exchange(m_state);
+      m_other.note_exchange(m_state);
+    }
     if (reason == Reason::NONE && change.positions != nullptr && chosen.include(frame()))
       reason = Reason::POLICY;
     if (reason == Reason::NONE)

@@ -183,6 +183,8 @@ private:
     const Vertex_index v = ids.vertex(id);
     const auto is_here = [&](const Point& p) { return m_state.coincide(p, v); };
     const Place place = m_state.place_near(point, v);
+    m_state.note_move(
+        id, ids.is_representative(id) ? Point(m_state.point(v)) : ids.covered_point(id), point, v);
     if (is_here(point)) {
       if (ids.is_representative(id))
         set_place(v, place); // another image

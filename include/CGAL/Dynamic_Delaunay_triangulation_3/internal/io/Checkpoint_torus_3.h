@@ -1,0 +1,295 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_IO_CHECKPOINT_TORUS_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_IO_CHECKPOINT_TORUS_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_reader_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_writer_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_certificate_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Writes a torus: its cell and basis, points with the multiples that take them to their vertices,
+// and cells, each with the shifts of its last three vertices from the first one.
+template <class Traits, class ConcurrencyTag>
+class Checkpoint_writer_3<Torus_state_3<Traits, ConcurrencyTag>>
+{
+  using State = Torus_state_3<Traits, ConcurrencyTag>;
+  using Point = typename State::Point;
+  using Checkpoint_output_2 = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_output_2;
+
+public:
+  Checkpoint_writer_3(const State& state, Checkpoint_output_2& file)
+    : m_state(state)
+    , m_file(file)
+  {
+  }
+
+  void write()
+  {
+    const Periodic_cell_3& cell = m_state.torus.cell();
+    const Torus_3::Basis& basis = m_state.torus.basis();
+    m_file.line("cell", cell.a(), cell.b(), cell.c());
+    m_file.line("basis", basis);
+    m_file.line("reach", m_state.reach());
+    Dynamic_Delaunay_triangulations_2::internal::write_points(
+        m_file, m_state.ids,
+        [this](Vertex_index v) {
+          const Multiples_3& m = m_state.positions.multiples(v);
+          return std::make_tuple(coordinates(m_state.point(v)), m[0], m[1], m[2]);
+        },
+        [](const Point& p) { return coordinates(p); });
+    write_cells();
+  }
+
+private:
+  static std::array<double, 3> coordinates(const Point& p) { return {p.x(), p.y(), p.z()}; }
+  static std::array<int, 3> numbers(Torus_shift_3 shift)
+  {
+    const Multiples_3 m = shift.multiples();
+    return {m[0], m[1], m[2]};
+  }
+
+  void write_cells()
+  {
+    const Torus_cells_3& arrays = m_state.arrays;
+    m_file.line("cells", arrays.number_of_cells());
+    for (Cell_index c(0); c < arrays.number_of_cells(); ++c) {
+      const Torus_cell_3& cell = arrays.cell(c);
+      const Vertices_3& v = cell.vertices;
+      m_file.line(v[0], v[1], v[2], v[3], numbers(cell.shifts[1]), numbers(cell.shifts[2]),
+                  numbers(cell.shifts[3]));
+    }
+    for (Vertex_index v(1); v < arrays.number_of_vertices(); ++v)
+      m_file.line(arrays.corner_of(v));
+  }
+
+  const State& m_state;
+  Checkpoint_output_2& m_file;
+};
+
+// Reads the same into a state without points. What it throws leaves that unusable.
+template <class Traits, class ConcurrencyTag>
+class Checkpoint_reader_3<Torus_state_3<Traits, ConcurrencyTag>>
+{
+  using State = Torus_state_3<Traits, ConcurrencyTag>;
+  using Point = typename State::Point;
+  using Checkpoint_input_2 = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2;
+
+public:
+  Checkpoint_reader_3(State& state, Checkpoint_input_2& file)
+    : m_state(state)
+    , m_file(file)
+  {
+  }
+
+  void read()
+  {
+    m_state.torus = read_torus();
+    m_file.begin_entry("reach");
+    const double largest = m_file.finite("the largest coordinate");
+    const double sum = m_file.finite("the sum of multiples");
+    m_file.end_line();
+    read_points();
+    if (!m_state.set_reach({largest, sum}))
+      m_file.refuse("the numbers after \"reach\", above, are too small for these points");
+    read_cells();
+    m_state.spans_space = m_state.number_of_vertices() > 0;
+  }
+
+  // POINTS ----------------------------------------------------------------------------------------
+
+  static Index fewest_vertices() { return 0; }
+  static Index most_vertices() { return Index(Input_3<State>::max_points); }
+
+  void read_vertex()
+  {
+    const Point p = read_point();
+    Multiples_3 multiples;
+    for (int& number : multiples)
+      number = m_file.number("the multiple", -most_multiple, most_multiple);
+    m_points.push_back(p);
+    m_places.emplace_back(approximation(p), multiples, m_state.torus);
+    if (m_state.is_far(m_places.back().position))
+      m_file.refuse("the vertex is farther from the cell than those of a torus may be");
+  }
+
+  Point read_point()
+  {
+    const double x = m_file.finite("the first coordinate");
+    const double y = m_file.finite("the second coordinate");
+    const Point p(x, y, m_file.finite("the third coordinate"));
+    if (!m_state.torus.is_in_range(approximation(p)))
+      m_file.refuse("the point is 2^20 cells or more from the origin, and has to be nearer");
+    return p;
+  }
+
+  bool coincide(const Point& p, const Point& q) const
+  {
+    const Position_3 a = approximation(p), b = approximation(q);
+    const Torus_place_3 near(a, Torus_3::nearest(m_state.torus.fractions(b - a)), m_state.torus);
+    return m_state.torus.coincide({near.base, near.multiples, near.position},
+                                  {b, Multiples_3{0, 0, 0}, b});
+  }
+
+private:
+  static constexpr int most_multiple = 0x400000, most_shift = 255;
+
+  Torus_3 read_torus()
+  {
+    m_file.begin_entry("cell");
+    std::array<std::array<double, 3>, 3> vectors;
+    for (auto& vector : vectors)
+      for (double& x : vector)
+        x = m_file.finite("the coordinate of a vector");
+    m_file.end_line();
+    m_file.begin_entry("basis");
+    Torus_3::Basis basis;
+    const int most = int(Torus_3::max_multiple) - 1;
+    for (auto& row : basis)
+      for (double& x : row)
+        x = m_file.number("the number of the basis", -most, most);
+    m_file.end_line();
+    try {
+      const Periodic_cell_3 cell(vectors[0], vectors[1], vectors[2]);
+      if (const std::optional<Torus_3> torus = Torus_3::with_basis(cell, basis))
+        return *torus;
+    } catch (const Periodic_cell_error_3& error) {
+      m_file.refuse(error.what());
+    }
+    m_file.refuse("this is no basis of the cell's lattice, or too long a one");
+  }
+
+  void read_points()
+  {
+    Dynamic_Delaunay_triangulations_2::internal::Checkpoint_points_reader_2(m_file, *this, m_points,
+                                                                            m_state.ids)
+        .read();
+    if (m_state.ids.number_of_points() > Input_3<State>::max_points)
+      m_file.refuse("there are more points than 32 bits allow, above");
+    m_state.positions.resize(m_state.number_of_vertices() + 1);
+    for (std::size_t i = 0; i < m_places.size(); ++i)
+      m_state.positions.set(Vertex_index(i + 1), m_places[i]);
+  }
+
+  // CELLS -----------------------------------------------------------------------------------------
+
+  // A cell's facet. Its sites are in ascending order, moved so that the first one has no shift.
+  struct Facet
+  {
+    Few<Torus_site_3, 3> sites;
+    Torus_shift_3 shift; // of the first one before
+    Corner_index corner; // opposite to it
+  };
+
+  void read_cells()
+  {
+    m_state.arrays.reset(m_state.number_of_vertices() + 1);
+    const Index number = m_file.number_entry("cells", Index(0), Index(Torus_cells_3::max_cells));
+    const std::size_t line = m_file.line();
+    for (Index i = 0; i < number; ++i)
+      read_cell();
+    link(line);
+    for (Vertex_index v(1); v < m_state.arrays.number_of_vertices(); ++v)
+      read_corner(v);
+    Unproved_cells_3 unproved;
+    if (!Torus_certificate_3<State>(m_state).holds(unproved))
+      m_file.refuse(line, "the cells are not a Delaunay triangulation");
+  }
+
+  void read_cell()
+  {
+    m_file.next_line();
+    Torus_sites_3 sites;
+    for (Torus_site_3& s : sites)
+      s.vertex = Vertex_index(m_file.number("the vertex", Index(1), m_state.number_of_vertices()));
+    sites[0].shift = {};
+    for (int i = 1; i < 4; ++i) {
+      Multiples_3 m;
+      for (int& number : m)
+        number = m_file.number("the shift", -most_shift, most_shift);
+      sites[i].shift = Torus_shift_3::of(m);
+    }
+    m_file.end_line();
+    for (int i = 0; i < 4; ++i)
+      if (std::count(sites.begin(), sites.end(), sites[i]) > 1)
+        m_file.refuse("the cell has an image of a vertex twice");
+    m_state.arrays.set_sites(m_state.arrays.make_cell(), sites);
+  }
+
+  // Finds the mirrors of corners: each facet belongs to two of them, also of one cell.
+  void link(std::size_t line)
+  {
+    const std::vector<Facet> facets = sorted_facets();
+    const auto is_same = [&](std::size_t i, std::size_t j) {
+      return j < facets.size() && facets[i].sites == facets[j].sites;
+    };
+    for (std::size_t i = 0; i < facets.size(); i += 2) {
+      const Cell_index c = Torus_cells_3::cell_of(facets[i].corner);
+      if (!is_same(i, i + 1) || is_same(i, i + 2))
+        m_file.refuse(line + 1 + c, "not exactly two cells have one of the facets");
+      m_state.arrays.connect(facets[i].corner, facets[i + 1].corner,
+                             facets[i].shift - facets[i + 1].shift);
+    }
+  }
+  std::vector<Facet> sorted_facets() const
+  {
+    std::vector<Facet> facets;
+    facets.reserve(4 * std::size_t(m_state.arrays.number_of_cells()));
+    for (Cell_index c(0); c < m_state.arrays.number_of_cells(); ++c)
+      for (int i = 0; i < 4; ++i) {
+        const Torus_sites_3 s = m_state.arrays.sites(c);
+        Facet facet{{s[i == 0], s[i <= 1 ? 2 : 1], s[i <= 2 ? 3 : 2]},
+                    {},
+                    m_state.arrays.corner(c, i)};
+        std::sort(facet.sites.begin(), facet.sites.end());
+        facet.shift = facet.sites[0].shift;
+        for (Torus_site_3& site : facet.sites)
+          site.shift = site.shift - facet.shift;
+        facets.push_back(facet);
+      }
+    std::sort(facets.begin(), facets.end(), [](const Facet& f, const Facet& g) {
+      return f.sites < g.sites || (f.sites == g.sites && f.corner < g.corner);
+    });
+    return facets;
+  }
+
+  void read_corner(Vertex_index v)
+  {
+    Torus_cells_3& arrays = m_state.arrays;
+    m_file.next_line();
+    const Index corners = 4 * arrays.number_of_cells();
+    if (corners == 0)
+      m_file.refuse("there are points, and no cells");
+    const Corner_index k(m_file.number("the corner", Index(0), corners - 1));
+    m_file.end_line();
+    if (arrays.vertex(k) != v)
+      m_file.refuse("this is no corner of vertex " + std::to_string(v));
+    arrays.set_corner(k);
+  }
+
+  State& m_state;
+  Checkpoint_input_2& m_file;
+  std::vector<Point> m_points;         // of vertices, from the first one on
+  std::vector<Torus_place_3> m_places; // of the same
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_IO_CHECKPOINT_TORUS_3_H
