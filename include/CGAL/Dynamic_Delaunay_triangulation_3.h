@@ -71,15 +71,15 @@ class Dynamic_Delaunay_triangulation_3
       Options...>;
   friend Base;
   friend Dynamic_Delaunay_triangulations_3::internal::Access_3;
+  using Base::cells;
+  using Base::ids;
+  using Base::representative_of;
+  using Base::state;
   using typename Base::Cell_index;
   using typename Base::Index;
   using typename Base::Point_id;
   using typename Base::State;
   using typename Base::Vertex_index;
-  using Base::cells;
-  using Base::ids;
-  using Base::representative_of;
-  using Base::state;
   template <class Range>
   using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
 
@@ -254,8 +254,8 @@ private:
   }
   bool is_finite_without(Cell_index c, int place) const
   {
-    const int infinite = state().arrays.place_of(
-        c, Dynamic_Delaunay_triangulations_3::internal::infinite_index);
+    const int infinite =
+        state().arrays.place_of(c, Dynamic_Delaunay_triangulations_3::internal::infinite_index);
     return infinite == 4 || infinite == place;
   }
   std::array<size_type, 3> ids_without(Cell_index c, int place) const

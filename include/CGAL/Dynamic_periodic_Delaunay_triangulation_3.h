@@ -69,13 +69,13 @@ class Dynamic_periodic_Delaunay_triangulation_3
       Options...>;
   friend Base;
   friend Dynamic_Delaunay_triangulations_3::internal::Access_3;
+  using Base::ids;
+  using Base::state;
   using typename Base::Cell_index;
   using typename Base::Floating_point;
   using typename Base::Point_id;
   using typename Base::State;
   using typename Base::Vertex_index;
-  using Base::ids;
-  using Base::state;
   using Multiples = Dynamic_Delaunay_triangulations_3::internal::Multiples_3;
   using Site = Dynamic_Delaunay_triangulations_3::internal::Torus_site_3;
   using Identity_map = boost::typed_identity_property_map<typename Traits::Point_3>;
@@ -131,10 +131,7 @@ public:
   }
 
   /// exchanges everything with the other triangulation.
-  void swap(Dynamic_periodic_Delaunay_triangulation_3& other) noexcept
-  {
-    Base::swap(other);
-  }
+  void swap(Dynamic_periodic_Delaunay_triangulation_3& other) noexcept { Base::swap(other); }
   /// calls `a.swap(b)`.
   friend void swap(Dynamic_periodic_Delaunay_triangulation_3& a,
                    Dynamic_periodic_Delaunay_triangulation_3& b) noexcept

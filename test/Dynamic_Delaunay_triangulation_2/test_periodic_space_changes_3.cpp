@@ -152,9 +152,9 @@ private:
     std::map<std::size_t, Shift> shifts;
     for (std::size_t i = 0; i < m_dt.number_of_ids(); ++i) {
       shifts[i] = m_dt.has_id(i) ? random_shift(m_random) : Shift{0, 0, 0};
-      points.push_back(m_dt.has_id(i) ? translated(near(m_dt.point(i), step, m_random),
-                                                   m_dt.cell(), shifts[i])
-                                      : Point(0, 0, 0));
+      points.push_back(m_dt.has_id(i)
+                           ? translated(near(m_dt.point(i), step, m_random), m_dt.cell(), shifts[i])
+                           : Point(0, 0, 0));
     }
     m_dt.update(points);
     translate(shifts);

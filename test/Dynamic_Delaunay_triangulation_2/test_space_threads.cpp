@@ -11,6 +11,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_population_3.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -140,6 +141,49 @@ TYPED_TEST(Threads_in_space, throw_the_same)
     }
   });
   EXPECT_EQ(checkpoint_of(together), before);
+}
+
+// Cells that shear, shrink and are flipped, points that are wrapped, come and go, and coincide.
+TEST(Threads_in_periodic_space, change_nothing_but_the_time)
+{
+  using Sequential = CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick>;
+  using Parallel =
+      CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick,
+                                                      CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
+  using Point = Sequential::Point;
+  const CGAL::Periodic_cell_3 unit(1, 1, 1);
+  CGAL::Dynamic_population_3<Sequential> alone{Sequential(unit)};
+  CGAL::Dynamic_population_3<Parallel> together{Parallel(unit)};
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  const auto random_point = [&] {
+    const double x = coordinate(random), y = coordinate(random);
+    return Point(x, y, coordinate(random));
+  };
+  std::map<std::int64_t, Point> crowd;
+  std::int64_t next = 0;
+  while (next < 600)
+    crowd[next++] = random_point();
+  double shear = 0;
+  for (const double step : {1e-6, 1e-3, 0.004, 0.01, 0.1, 1e-3}) {
+    std::normal_distribution<double> normal(0, step);
+    for (auto& [id, p] : crowd) {
+      const double x = p.x() + normal(random), y = p.y() + normal(random);
+      p = Point(x, y, p.z() + normal(random) + double(id % 3));
+    }
+    crowd.erase(crowd.begin());
+    crowd[next++] = random_point();
+    crowd[next++] = crowd.rbegin()->second;
+    shear += 0.2;
+    const CGAL::Periodic_cell_3 cell({1, 0, 0}, {shear - std::rint(shear), 1 - shear / 8, 0},
+                                     {0, 0, 1});
+    const CGAL::Update_report_3 report = alone.update(crowd, cell);
+    CGAL::Update_report_3 other;
+    with_threads([&] { other = together.update(crowd, cell); });
+    ASSERT_EQ(all_of(report), all_of(other));
+    ASSERT_EQ(checkpoint_of(alone), checkpoint_of(together));
+    with_threads([&] { EXPECT_TRUE(together.certify()); });
+  }
 }
 
 } // namespace

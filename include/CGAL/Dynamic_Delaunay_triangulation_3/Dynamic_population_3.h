@@ -35,8 +35,8 @@ tracking data. Every frame lists the points that exist, by ids that the user cho
 new ids are inserted, points whose ids are missing are removed, and the others move: what
 `Dynamic_population_2` does in the plane.
 
-\tparam Dynamic a `Dynamic_Delaunay_triangulation_3` or a `Dynamic_periodic_Delaunay_triangulation_3`.
-\tparam UserId any integer type.
+\tparam Dynamic a `Dynamic_Delaunay_triangulation_3` or a
+`Dynamic_periodic_Delaunay_triangulation_3`. \tparam UserId any integer type.
 */
 template <class Dynamic, class UserId = std::int64_t>
 class Dynamic_population_3
@@ -123,7 +123,8 @@ public:
 
   /// takes a whole frame of a `Dynamic_periodic_Delaunay_triangulation_3`, in a cell that has
   /// changed. \throws Periodic_cell_error_3 as
-  /// `Dynamic_periodic_Delaunay_triangulation_3::update()`, and what `update(first, beyond)` throws.
+  /// `Dynamic_periodic_Delaunay_triangulation_3::update()`, and what `update(first, beyond)`
+  /// throws.
   template <class InputIterator, class IdMap, class PointMap>
   Update_report_3 update(InputIterator first, InputIterator beyond, IdMap id_map,
                          PointMap point_map, const Periodic_cell_3& cell)

@@ -13,14 +13,14 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_options_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/views/Dynamic_frame_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/policies/Dynamic_triangulation_settings_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_reader_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_writer_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Simplex_changes_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Update_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/policies/Dynamic_triangulation_settings_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/views/Dynamic_frame_3.h>
 #include <CGAL/iterator.h>
 #include <CGAL/tags.h>
 
@@ -380,9 +380,8 @@ public:
   Point point(size_type id) const
   {
     check_id(id);
-    return ids().is_representative(Point_id(id))
-               ? Point(state().point(ids().vertex(Point_id(id))))
-               : ids().covered_point(Point_id(id));
+    return ids().is_representative(Point_id(id)) ? Point(state().point(ids().vertex(Point_id(id))))
+                                                 : ids().covered_point(Point_id(id));
   }
 
   /// the id of the representative of this point: of all points that coincide with it, the one that
@@ -574,21 +573,17 @@ private:
     Names::tell(m_core->state, visitor, dynamic());
     m_core->changes.close(m_core->state);
     for (const auto& facet : removed.facets)
-      Names::apply(facet, [&](const auto&... args) {
-        visitor.after_facet_removal(dynamic(), args...);
-      });
+      Names::apply(facet,
+                   [&](const auto&... args) { visitor.after_facet_removal(dynamic(), args...); });
     for (const auto& edge : removed.edges)
-      Names::apply(edge, [&](const auto&... args) {
-        visitor.after_edge_removal(dynamic(), args...);
-      });
+      Names::apply(edge,
+                   [&](const auto&... args) { visitor.after_edge_removal(dynamic(), args...); });
     for (const auto& edge : created.edges)
-      Names::apply(edge, [&](const auto&... args) {
-        visitor.after_edge_creation(dynamic(), args...);
-      });
+      Names::apply(edge,
+                   [&](const auto&... args) { visitor.after_edge_creation(dynamic(), args...); });
     for (const auto& facet : created.facets)
-      Names::apply(facet, [&](const auto&... args) {
-        visitor.after_facet_creation(dynamic(), args...);
-      });
+      Names::apply(facet,
+                   [&](const auto&... args) { visitor.after_facet_creation(dynamic(), args...); });
     visitor.after_update(dynamic(), report);
   }
 
@@ -663,7 +658,8 @@ private:
     const Floating_point floating_point;
     Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2 file(in, subject);
     auto core = std::make_unique<Core>(state().without_points(), settings());
-    Dynamic_Delaunay_triangulations_3::internal::Checkpoint_reader_3<State>(core->state, file).read();
+    Dynamic_Delaunay_triangulations_3::internal::Checkpoint_reader_3<State>(core->state, file)
+        .read();
     read_more(file, core->state.ids);
     file.finish();
     if constexpr (is_watched) {

@@ -143,8 +143,8 @@ public:
   bool coincide(const Point& p, const Point& q) const
   {
     const Position_3 a = approximation(p), b = approximation(q);
-    const Torus_place_3 near(a, Torus_3::nearest(m_state.torus.fractions(b - a)), m_state.torus);
-    return m_state.torus.coincide({near.base, near.multiples, near.position},
+    const Torus_place_3 closest(a, Torus_3::nearest(m_state.torus.fractions(b - a)), m_state.torus);
+    return m_state.torus.coincide({closest.base, closest.multiples, closest.position},
                                   {b, Multiples_3{0, 0, 0}, b});
   }
 
@@ -255,9 +255,8 @@ private:
     for (Cell_index c(0); c < m_state.arrays.number_of_cells(); ++c)
       for (int i = 0; i < 4; ++i) {
         const Torus_sites_3 s = m_state.arrays.sites(c);
-        Facet facet{{s[i == 0], s[i <= 1 ? 2 : 1], s[i <= 2 ? 3 : 2]},
-                    {},
-                    m_state.arrays.corner(c, i)};
+        Facet facet{
+            {s[i == 0], s[i <= 1 ? 2 : 1], s[i <= 2 ? 3 : 2]}, {}, m_state.arrays.corner(c, i)};
         std::sort(facet.sites.begin(), facet.sites.end());
         facet.shift = facet.sites[0].shift;
         for (Torus_site_3& site : facet.sites)

@@ -27,9 +27,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // are remembered.
 //
 // On a torus the same is done with images in the place of vertices, as one chart sees them; there
-// are no infinite cells. A flip replaces different cells: then their images do not overlap, whatever
-// their neighbors are, and all images are flipped at once. Cells that are images of each other are
-// never flipped together.
+// are no infinite cells. A flip replaces different cells: then their images do not overlap,
+// whatever their neighbors are, and all images are flipped at once. Cells that are images of each
+// other are never flipped together.
 template <class State>
 class Lawson_flips_3
 {

@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Site_names_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_shift_3.h>
 
 #include <algorithm>

@@ -132,8 +132,7 @@ public:
       return false;
     const Torus_3& torus = m_torus ? *m_torus : state.torus;
     const Position_3 position = state.positions.position(v);
-    const Position_3 from =
-        m_torus ? torus.combination(state.torus.fractions(position)) : position;
+    const Position_3 from = m_torus ? torus.combination(state.torus.fractions(position)) : position;
     positions.set(v, Torus_place_3(base, Torus_3::nearest(torus.fractions(from - base)), torus));
     return true;
   }
@@ -187,8 +186,8 @@ public:
   void carry(const State& state)
   {
     for (Vertex_index v(1); m_torus && v < positions.number(); ++v)
-      positions.set(v, Torus_place_3(
-                           state.torus.combination(m_torus->fractions(positions.position(v)))));
+      positions.set(
+          v, Torus_place_3(state.torus.combination(m_torus->fractions(positions.position(v)))));
   }
 
   Torus_positions_3 positions;

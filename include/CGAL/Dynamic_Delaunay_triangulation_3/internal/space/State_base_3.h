@@ -25,8 +25,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //   Place place_anew(v)               of a vertex after begin_rebuild()
 //   bool coincide(point, v)           whether an image of a point is exactly where a vertex is
 //   void check(point, id)             throws if it is refused
-//   void note_move(id, p, q, v)       for visitors: a point of a vertex is about to move from p to q
-//   void include(place)               a vertex has got this place: filters have to reckon with it
+//   void note_move(id, p, q, v)       for visitors: a point of a vertex is about to move from p to
+//   q void include(place)               a vertex has got this place: filters have to reckon with it
 //   void include_all()                the same, of all vertices anew
 //   bool begin_frame(mean, previous)  vertices have new positions; false if nothing can be mended
 //   void end_change()                 before a call ends that has mended something
@@ -80,7 +80,7 @@ public:
   Ids ids;
   Positions positions;
   Arrays arrays;
-  Cell_marks_3 marks; // of these cells; each tool clears them before it uses them
+  Cell_marks_3 marks;       // of these cells; each tool clears them before it uses them
   bool spans_space = false; // whether there are cells
 };
 

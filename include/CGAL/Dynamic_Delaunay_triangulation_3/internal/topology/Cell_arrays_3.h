@@ -32,7 +32,8 @@ inline std::size_t with_reserve(std::size_t cells)
 // positions.
 //
 // This is what open space and a torus have in common: numbers of cells, walks, gaps, and
-// transactions. A `Cell` has `vertices`, `mirrors` and `sites()`, and whatever else the space needs.
+// transactions. A `Cell` has `vertices`, `mirrors` and `sites()`, and whatever else the space
+// needs.
 template <class Cell_of_space>
 class Cell_arrays_3
 {

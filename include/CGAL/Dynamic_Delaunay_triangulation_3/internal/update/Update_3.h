@@ -340,7 +340,7 @@ private:
   static constexpr int rounds = 4, steps = 100;                    // of retreats from them
 
   State& m_state;
-  bool m_is_certified = true;        // no points are triangulated
+  bool m_is_certified = true;     // no points are triangulated
   typename State::Staged m_other; // from the exchange on, those of the last frame
   Lawson_flips_3<State> m_flips;
   Held_vertices_3<State> m_held;
