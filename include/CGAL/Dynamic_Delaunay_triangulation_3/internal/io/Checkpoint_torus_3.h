@@ -76,6 +76,7 @@ private:
       m_file.line(v[0], v[1], v[2], v[3], numbers(cell.shifts[1]), numbers(cell.shifts[2]),
                   numbers(cell.shifts[3]));
     }
+    m_file.line("corners", arrays.number_of_vertices() - 1);
     for (Vertex_index v(1); v < arrays.number_of_vertices(); ++v)
       m_file.line(arrays.corner_of(v));
   }
@@ -206,6 +207,7 @@ private:
     for (Index i = 0; i < number; ++i)
       read_cell();
     link(line);
+    m_file.number_entry("corners", m_state.number_of_vertices(), m_state.number_of_vertices());
     for (Vertex_index v(1); v < m_state.arrays.number_of_vertices(); ++v)
       read_corner(v);
     Unproved_cells_3 unproved;
