@@ -196,16 +196,16 @@ private:
         other, arrays().place_of(other, Arrays::translated_back(s, arrays().translation(k))));
   }
 
-  // Whether the two cells at a facet have a neighbor in common, as seen in one chart, opposite to
-  // the vertex at `side`, and all three are different.
+  // Whether the two cells at a facet have a neighbor in common, opposite to the vertex at `side`,
+  // and all three are different. On a torus that is so in one chart: if another image of it were
+  // beyond one of the facets, by a translation t, it would have both ends of the edge, and both
+  // ends plus t. These are coplanar wherever they are, and no cell is ever made flat.
   bool have_common_neighbor(Corner_index k, int side) const
   {
     const Cell_index c = Arrays::cell_of(k), other = Arrays::cell_of(arrays().mirror(k));
-    const Corner_index first = Arrays::corner(c, side), second = opposite_in_mirror(k, side);
     const Cell_index third = arrays().neighbor(c, side);
     return c != other && c != third && other != third &&
-           Arrays::cell_of(arrays().mirror(second)) == third &&
-           arrays().translation(first) == arrays().translation(k) + arrays().translation(second);
+           Arrays::cell_of(arrays().mirror(opposite_in_mirror(k, side))) == third;
   }
 
   bool are_different(Corner_index k) const

@@ -43,6 +43,13 @@ struct Points_in_lanes_3
   }
 };
 
+// A point that is translated when it is loaded.
+struct Translated_3
+{
+  const Position_3* position;
+  const Position_3* translation;
+};
+
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES
 template <int n>
 BOOST_FORCEINLINE Lanes<n> load(const double& first)
@@ -51,32 +58,61 @@ BOOST_FORCEINLINE Lanes<n> load(const double& first)
   std::memcpy(&numbers, &first, sizeof(numbers));
   return Lanes<n>(numbers);
 }
+// x and y, and with four lanes z.
+template <int n>
+BOOST_FORCEINLINE Lanes<n> load_from_x(const Position_3& p)
+{
+  return load<n>(p.x);
+}
+template <int n>
+BOOST_FORCEINLINE Lanes<n> load_from_x(const Translated_3& p)
+{
+  return load<n>(p.position->x) + load<n>(p.translation->x);
+}
+BOOST_FORCEINLINE Lanes<2> load_from_z(const Position_3& p)
+{
+  return load<2>(p.z);
+}
+BOOST_FORCEINLINE Lanes<2> load_from_z(const Translated_3& p)
+{
+  return load<2>(p.position->z) + load<2>(p.translation->z);
+}
 #endif
+BOOST_FORCEINLINE Points_in_lanes_3<double> load_one(const Position_3& p)
+{
+  return {p.x, p.y, p.z};
+}
+BOOST_FORCEINLINE Points_in_lanes_3<double> load_one(const Translated_3& p)
+{
+  return {p.position->x + p.translation->x, p.position->y + p.translation->y,
+          p.position->z + p.translation->z};
+}
 
-// Puts the coordinates of point_at(i) into lane i. Points of four doubles are loaded whole, and
-// transposed.
+// Puts the coordinates of point_at(i), which is a position or translated, into lane i. Positions,
+// of four doubles, are loaded whole, and transposed.
 template <int n, class Point_at>
-BOOST_FORCEINLINE Points_in_lanes_3<Lanes<n>> points_in_lanes(const Point_at& point_at)
+BOOST_FORCEINLINE auto points_in_lanes(const Point_at& point_at)
 {
 #ifdef CGAL_DYNAMIC_DELAUNAY_HAS_LANES
   using Dynamic_Delaunay_triangulations_2::internal::Places;
+  using Points = Points_in_lanes_3<Lanes<n>>;
   if constexpr (n == 4) {
-    const Lanes<4> p = load<4>(point_at(0).x), q = load<4>(point_at(1).x);
-    const Lanes<4> r = load<4>(point_at(2).x), s = load<4>(point_at(3).x);
+    const Lanes<4> p = load_from_x<4>(point_at(0)), q = load_from_x<4>(point_at(1));
+    const Lanes<4> r = load_from_x<4>(point_at(2)), s = load_from_x<4>(point_at(3));
     const Lanes<4> xz_low(p, q, Places<0, 4, 2, 6>()), xz_high(r, s, Places<0, 4, 2, 6>());
     const Lanes<4> y_low(p, q, Places<1, 5, 3, 7>()), y_high(r, s, Places<1, 5, 3, 7>());
-    return {Lanes<4>(xz_low, xz_high, Places<0, 1, 4, 5>()),
-            Lanes<4>(y_low, y_high, Places<0, 1, 4, 5>()),
-            Lanes<4>(xz_low, xz_high, Places<2, 3, 6, 7>())};
+    return Points{Lanes<4>(xz_low, xz_high, Places<0, 1, 4, 5>()),
+                  Lanes<4>(y_low, y_high, Places<0, 1, 4, 5>()),
+                  Lanes<4>(xz_low, xz_high, Places<2, 3, 6, 7>())};
   } else if constexpr (n == 2) {
-    const Lanes<2> p = load<2>(point_at(0).x), q = load<2>(point_at(1).x);
-    return {Lanes<2>(p, q, Places<0, 2>()), Lanes<2>(p, q, Places<1, 3>()),
-            Lanes<2>(load<2>(point_at(0).z), load<2>(point_at(1).z), Places<0, 2>())};
+    const Lanes<2> p = load_from_x<2>(point_at(0)), q = load_from_x<2>(point_at(1));
+    return Points{Lanes<2>(p, q, Places<0, 2>()), Lanes<2>(p, q, Places<1, 3>()),
+                  Lanes<2>(load_from_z(point_at(0)), load_from_z(point_at(1)), Places<0, 2>())};
   } else
 #endif
   {
-    const Position_3& p = point_at(0);
-    return {p.x, p.y, p.z};
+    const Points_in_lanes_3<double> p = load_one(point_at(0));
+    return Points_in_lanes_3<Lanes<n>>{p.x, p.y, p.z};
   }
 }
 

@@ -53,19 +53,15 @@ public:
     return codes == 0;
   }
 
-  // The position of an image. Large shifts are NaN.
-  BOOST_FORCEINLINE Position_3 position(Vertex_index v, Torus_shift_3 shift) const
+  // An image, for lanes. Without a translation if its shift is large.
+  BOOST_FORCEINLINE Translated_3 image(Vertex_index v, Torus_shift_3 shift) const
   {
     constexpr int middle = side / 2 * (1 + (1 << 10) + (1 << 20)), low = side - 1;
     const int code = shift.code + middle;
-    if ((code & ~(low | low << 10 | low << 20)) == 0)
-      return m_positions[v] + m_translations[std::size_t((code & low) | (code >> 10 & low) << bits |
-                                                         (code >> 20 & low) << 2 * bits)];
-    const Multiples_3 multiples = shift.multiples();
-    if (Torus_3::is_in_filter(multiples))
-      return m_positions[v] + m_torus.combination(multiples);
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return {nan, nan, nan};
+    const bool is_small = (code & ~(low | low << 10 | low << 20)) == 0;
+    const std::size_t number =
+        std::size_t((code & low) | (code >> 10 & low) << bits | (code >> 20 & low) << 2 * bits);
+    return {&m_positions[v], is_small ? &m_translations[number] : nullptr};
   }
 
 private:
@@ -78,13 +74,13 @@ private:
   std::array<Position_3, side * side * side> m_translations; // from -4 to 3
 };
 
-// Cells that are tested at once, with the positions of their vertices and of those beyond their
+// Cells that are tested at once, with the images of their vertices and of those beyond their
 // facets.
 template <int lanes>
 struct Torus_group_3
 {
   Few<Cell_index, lanes> cells;
-  Few<Few<Position_3, 8>, lanes> positions;
+  Few<Few<Translated_3, 8>, lanes> images;
   int number = 0;
 };
 
@@ -94,9 +90,8 @@ BOOST_FORCEINLINE void append_unproved_in_torus(const Few<Cell_index, lanes>& so
                                                 std::vector<Cell_index>& unproved)
 {
   const auto points = [&](int place) CGAL_DYNAMIC_DELAUNAY_INLINE {
-    return points_in_lanes<lanes>([&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Position_3& {
-      return point_at(i, place);
-    });
+    return points_in_lanes<lanes>(
+        [&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE -> decltype(auto) { return point_at(i, place); });
   };
   const auto a = points(0);
   const Torus_filter_in_lanes_3<Lanes<lanes>> filter(points(1) - a, points(2) - a, points(3) - a,
@@ -111,7 +106,7 @@ BOOST_FORCEINLINE void append_unproved_in_torus(const Few<Cell_index, lanes>& so
 }
 
 // Tests the cells from `first` to before `beyond`. Cells without shifts, most of them, read
-// positions from where they are; for others images are computed first.
+// positions from where they are; those of others are translated.
 template <int lanes>
 BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::size_t first,
                                                 std::size_t beyond,
@@ -129,26 +124,25 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
     const Index k = cell.mirrors[place - 4];
     return view.position(view.cell(k / 4).vertices[k % 4]);
   };
-  const auto shifted_at = [&](int i, int place) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Position_3& {
-    return shifted.positions[i][place];
-  };
-  // too large shifts are not proved, whatever comparisons with NaN say
+  const auto shifted_at =
+      [&](int i, int place)
+          CGAL_DYNAMIC_DELAUNAY_INLINE -> const Translated_3& { return shifted.images[i][place]; };
+  // cells with large shifts are left to exact predicates
   const auto append_shifted = [&](Cell_index c) CGAL_DYNAMIC_DELAUNAY_INLINE {
     const Torus_view_3::Cell& cell = view.cell(c);
-    Few<Position_3, 8>& positions = shifted.positions[shifted.number];
-    double sum = 0;
+    Few<Translated_3, 8>& images = shifted.images[shifted.number];
+    bool are_small = true;
     for (int i = 0; i < 4; ++i) {
       const Index k = cell.mirrors[i];
       const Torus_view_3::Cell& other = view.cell(k / 4);
-      positions[i] = view.position(cell.vertices[i], cell.shifts[i]);
-      positions[i + 4] =
-          view.position(other.vertices[k % 4], other.shifts[k % 4] + cell.translations[i]);
-      sum += positions[i].x + positions[i + 4].x;
+      images[i] = view.image(cell.vertices[i], cell.shifts[i]);
+      images[i + 4] = view.image(other.vertices[k % 4], other.shifts[k % 4] + cell.translations[i]);
+      are_small = are_small && images[i].translation && images[i + 4].translation;
     }
-    if (sum != sum)
-      unproved.push_back(c);
-    else
+    if (are_small)
       shifted.cells[shifted.number++] = c;
+    else
+      unproved.push_back(c);
   };
   for (Cell_index c(first); c < beyond; ++c) {
     const Torus_view_3::Cell& cell = view.cell(c);
@@ -176,7 +170,7 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
   for (int i = 0; i < shifted.number; ++i)
     append_unproved_in_torus<1>(
         {shifted.cells[i]},
-        [&](int, int place) -> const Position_3& { return shifted_at(i, place); },
+        [&](int, int place) -> const Translated_3& { return shifted_at(i, place); },
         view.squared_error(), unproved);
 }
 
