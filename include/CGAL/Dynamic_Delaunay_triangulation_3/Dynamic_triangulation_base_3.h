@@ -128,6 +128,7 @@ class Dynamic_triangulation_base_3
   using Second_of = Dynamic_Delaunay_triangulations_2::internal::Second_of<Iterator>;
 
 protected:
+  /// \cond
   using State = typename Space::State;
   using Update = Dynamic_Delaunay_triangulations_3::internal::Update_3<Space>;
   using Chosen_rebuilds = typename Update::Chosen_rebuilds;
@@ -138,6 +139,7 @@ protected:
   using Cell_index = Dynamic_Delaunay_triangulations_3::Cell_index;
   using Point_id = Dynamic_Delaunay_triangulations_3::Point_id;
   using Vertex_index = Dynamic_Delaunay_triangulations_3::Vertex_index;
+  /// \endcond
 
 public:
   /// \name Types
@@ -454,6 +456,7 @@ public:
   /// @}
 
 protected:
+  /// \cond
   // Starts with a state without points.
   Dynamic_triangulation_base_3(State state, const Settings& settings)
     : m_core(std::make_unique<Core>(std::move(state), settings))
@@ -507,6 +510,7 @@ protected:
       throw Unknown_id_error_2(id, number_of_ids());
   }
   size_type representative_of(Vertex_index v) const { return ids().representative(v); }
+  /// \endcond
 
 private:
   using Changes = Dynamic_Delaunay_triangulations_3::internal::Simplex_changes_3<State>;
