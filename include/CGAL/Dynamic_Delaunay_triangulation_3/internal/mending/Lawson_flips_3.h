@@ -27,9 +27,10 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // are remembered.
 //
 // On a torus the same is done with images in the place of vertices, as one chart sees them; there
-// are no infinite cells. A flip replaces different cells: then their images do not overlap,
-// whatever their neighbors are, and all images are flipped at once. Cells that are images of each
-// other are never flipped together.
+// are no infinite cells. A flip replaces cells that are no images of each other, so that all images
+// are flipped at once. For no cell is its own neighbor, by a translation t: of its sites x, y and z
+// at that facet, x - t, y - t and z - t would be sites, too, so two of them again x, y or z; then
+// x, y and z are in one line, t apart, wherever they are, and no cell is ever made flat.
 template <class State>
 class Lawson_flips_3
 {
@@ -196,27 +197,17 @@ private:
         other, arrays().place_of(other, Arrays::translated_back(s, arrays().translation(k))));
   }
 
-  // Whether the two cells at a facet have a neighbor in common, opposite to the vertex at `side`,
-  // and all three are different. On a torus that is so in one chart: if another image of it were
-  // beyond one of the facets, by a translation t, it would have both ends of the edge, and both
-  // ends plus t. These are coplanar wherever they are, and no cell is ever made flat.
+  // Whether the two cells at a facet have a neighbor in common, opposite to the vertex at `side`.
+  // On a torus that is so in one chart: if another image of it, by a translation t, were beyond one
+  // of the facets, it would have both ends of the edge, and both ends plus t, which are coplanar.
   bool have_common_neighbor(Corner_index k, int side) const
   {
-    const Cell_index c = Arrays::cell_of(k), other = Arrays::cell_of(arrays().mirror(k));
-    const Cell_index third = arrays().neighbor(c, side);
-    return c != other && c != third && other != third &&
-           Arrays::cell_of(arrays().mirror(opposite_in_mirror(k, side))) == third;
-  }
-
-  bool are_different(Corner_index k) const
-  {
-    return Arrays::cell_of(k) != Arrays::cell_of(arrays().mirror(k));
+    return Arrays::cell_of(arrays().mirror(opposite_in_mirror(k, side))) ==
+           arrays().neighbor(Arrays::cell_of(k), side);
   }
 
   bool flip_illegal(Corner_index k)
   {
-    if (!are_different(k))
-      return false;
     const Outlook found = outlook(k);
     if (found.number == 0) {
       flip_2_3(k);
@@ -277,8 +268,6 @@ private:
 
   Flipped flip_right(Corner_index k)
   {
-    if (!are_different(k))
-      return none();
     const Outlook found = outlook(k);
     const Site top = arrays().site(k), beyond = arrays().apex_site(k);
     if (found.number == 0 && !has_simplex(Few<Site, 2>{top, beyond}))
