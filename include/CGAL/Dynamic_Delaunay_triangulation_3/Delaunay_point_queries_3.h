@@ -12,6 +12,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/certified_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Distance_query_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Site_charts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Vertex_star_3.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
@@ -31,9 +32,14 @@ namespace CGAL {
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 Finds the points in space that are nearest to a *query point*, which may be anywhere, or to one of
-the points, or within a radius of it. It uses the triangulation as it is, without another search
-structure and without a copy. The answers are exact, and do not depend on which of several
-triangulations of cospherical points is there.
+the points, or within a radius of it, in open or in periodic space. It uses the triangulation as it
+is, without another search structure and without a copy. The answers are exact, and do not depend on
+which of several triangulations of cospherical points is there.
+
+In open space an answer is the id of a point. In periodic space it is an image of a point: its id
+and a shift. The image is at `point(id)` plus `shift[0]`, `shift[1]` and `shift[2]` times the cell's
+vectors, relative to the query point as it is given, wrapped or not. Answers are exact for these
+images, which are never rounded. One point can have several images in a ball, or none.
 
 Points that coincide have the same distance, and each of them counts.
 
@@ -45,10 +51,11 @@ the `Parallel_tag`.
 
 The answers are right for the reasons that hold in the plane (\ref
 DynamicDelaunaySubsection_Queries). Whoever is not nearest has a neighbor that is nearer. Without
-cells, for points in a plane or on a line, each query looks at all points.
+cells, for points in a plane or on a line in open space, each query looks at all points.
 
 \tparam Dynamic a `Dynamic_Delaunay_triangulation_3`, whose `Geom_traits` have `Compare_distance_3`
-  and `Compare_squared_distance_3`, as CGAL's kernels do.
+  and `Compare_squared_distance_3`, as CGAL's kernels do, or a
+  `Dynamic_periodic_Delaunay_triangulation_3`.
 
 \sa `Delaunay_neighbor_lists_3`
 */
@@ -57,10 +64,11 @@ class Delaunay_point_queries_3
 {
   using Point_id = Dynamic_Delaunay_triangulations_3::Point_id;
   using Vertex_index = Dynamic_Delaunay_triangulations_3::Vertex_index;
-  using Cell_index = Dynamic_Delaunay_triangulations_3::Cell_index;
   using Index = Dynamic_Delaunay_triangulations_3::Index;
-  using State = std::decay_t<decltype(Dynamic_Delaunay_triangulations_3::internal::certified_state(
-      std::declval<const Dynamic&>()))>;
+  using State = Dynamic_Delaunay_triangulations_3::internal::State_of_3<Dynamic>;
+  using Charts = Dynamic_Delaunay_triangulations_3::internal::Site_charts_3<typename State::Arrays>;
+  using Site = typename Charts::Site;
+  using Seen_cell = typename Charts::Seen_cell;
   using Query = Dynamic_Delaunay_triangulations_3::internal::Distance_query_3<State>;
   using Measured = typename Query::Measured;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
@@ -78,6 +86,10 @@ public:
   using FT = typename Dynamic::Geom_traits::FT;
   /// the type of ids.
   using size_type = std::size_t;
+  /// what is found: an id; in periodic space an image, which is a
+  /// `std::pair<size_type, Periodic_shift_3>`. Images are in the order of ids, then of their
+  /// shifts, as arrays are compared.
+  using Answer = typename Query::Answer;
 
   /// @}
   /// \name Creation
@@ -96,21 +108,23 @@ public:
   /// takes time proportional to the number of points that share the vertices it finds.
   ///
   /// Those for query points throw `Non_finite_coordinate_error_3` if a coordinate is NaN or
-  /// infinite, and `Coordinate_range_error_3` if it is too large for this program. For a range of
-  /// query points, `id()` of these errors is the number of the query point.
+  /// infinite, `Coordinate_range_error_3` if it is too large for this program, and in periodic
+  /// space `Periodic_range_error_3` if the query point is 2<sup>20</sup> cells or more from the
+  /// origin. For a range of query points, `id()` of these errors is the number of the query point.
   ///
   /// Queries within a radius take its square, which can be exact where the radius is not, and throw
-  /// `Parameter_error_2` if that is negative or not a finite number. Queries with an
-  /// `OutputIterator`, which takes ids if nothing else is said, return where the next answer would
-  /// be written.
+  /// `Parameter_error_2` if that is negative or not a finite number. In periodic space they also
+  /// throw it if the radius is larger than 256 times the thickness of the cell, or of a shorter one
+  /// of the same lattice. Queries with an `OutputIterator`, which takes values of `Answer` if
+  /// nothing else is said, return where the next answer would be written.
   /// @{
 
-  /// the id of the point that is nearest to `p`; if several are equally near, the smallest id. No
-  /// value if there are no points.
+  /// the point that is nearest to `p`; if several are equally near, the smallest answer. No value
+  /// if there are no points.
   ///
-  /// Cost: O(n<sup>1/4</sup>) expected for evenly spread points; less if the answer is near the
-  /// last one.
-  std::optional<size_type> nearest(const Point& p) const { return find_nearest(p, 0); }
+  /// Cost: O(n<sup>1/4</sup>) expected for evenly spread points, in periodic space in a cell that
+  /// is not thin; less if the answer is near the last one.
+  std::optional<Answer> nearest(const Point& p) const { return find_nearest(p, 0); }
 
   /// writes `nearest(p)` for each query point p of a range, in their order.
   ///
@@ -119,14 +133,14 @@ public:
   /// \param first, beyond the range of query points.
   /// \param answers where to write; nothing is written if this throws.
   /// \tparam ForwardIterator has the value type `Point`.
-  /// \tparam OutputIterator takes values of `std::optional<size_type>`.
+  /// \tparam OutputIterator takes values of `std::optional<Answer>`.
   /// \return where the next answer would be written.
   template <class ForwardIterator, class OutputIterator>
   OutputIterator nearest(ForwardIterator first, ForwardIterator beyond,
                          OutputIterator answers) const
   {
     const std::vector<Point> points(first, beyond);
-    std::vector<std::optional<size_type>> found(points.size());
+    std::vector<std::optional<Answer>> found(points.size());
     Dynamic_Delaunay_triangulations_2::internal::query_in_parts<Parts>(
         *this, points.size(), [&](const Delaunay_point_queries_3& queries, size_type i, size_type) {
           found[i] = queries.find_nearest(points[i], i);
@@ -134,23 +148,25 @@ public:
     return std::copy(found.begin(), found.end(), answers);
   }
 
-  /// the id of the point other than `id` that is nearest to the point `id`; if several are equally
-  /// near, the smallest id. No value if there is no other point.
+  /// the point other than `id` that is nearest to the point `id`; if several are equally near, the
+  /// smallest answer. No value if there is no other point. In periodic space the answer can be
+  /// another image of the same point, so there always is one.
   ///
   /// Cost: proportional to the number of its neighbors.
   /// \throws Unknown_id_error_2 if no point has this id.
-  std::optional<size_type> nearest_neighbor(size_type id) const
+  std::optional<Answer> nearest_neighbor(size_type id) const
   {
     const Point p = m_dt->point(id);
     const Floating_point floating_point;
     const Query query = query_at(p, 0);
-    const Vertex_index v = query.state().ids.vertex(Point_id(id));
+    const Site v = query.site(query.state().ids.vertex(Point_id(id)));
+    const Answer asking = Query::answer(id);
     m_found.assign(1, v);
     if (!query.state().ids.is_alone(Point_id(id)))
-      return smallest_found(query, id);
+      return smallest_found(query, asking);
     m_found.clear();
     std::optional<Measured> nearest;
-    for_each_neighbor(query.state(), v, [&](Vertex_index w) {
+    for_each_neighbor(query.state(), v, [&](const Site& w) {
       const Measured other = query.measured(w);
       const Comparison_result result = nearest ? query.compare(other, *nearest) : SMALLER;
       if (result == SMALLER) {
@@ -160,7 +176,7 @@ public:
       if (result != LARGER)
         m_found.push_back(w);
     });
-    return smallest_found(query, id);
+    return smallest_found(query, asking);
   }
 
   /// writes all points within a radius of `p`, including those on the sphere, to `answers`, in no
@@ -186,7 +202,7 @@ public:
   /// `Point`.
   template <class ForwardIterator>
   void within(ForwardIterator first, ForwardIterator beyond, const FT& squared_radius,
-              std::vector<size_type>& answers, std::vector<size_type>& begins) const
+              std::vector<Answer>& answers, std::vector<size_type>& begins) const
   {
     check(squared_radius);
     const std::vector<Point> points(first, beyond);
@@ -198,7 +214,7 @@ public:
   }
 
   /// writes all points within a radius of the point `id`, except `id` itself, to `answers`, in no
-  /// particular order.
+  /// particular order. In periodic space other images of that point are written.
   ///
   /// Cost: proportional to the number of points found and of their neighbors.
   /// \throws Unknown_id_error_2 if no point has this id.
@@ -209,17 +225,18 @@ public:
     const Point p = m_dt->point(id);
     const Floating_point floating_point;
     const Query query = query_at(p, 0);
-    check(squared_radius);
-    return write_within(query, query.state().ids.vertex(Point_id(id)), squared_radius, id, answers);
+    check(squared_radius, query.largest_squared_radius());
+    return write_within(query, query.site(query.state().ids.vertex(Point_id(id))), squared_radius,
+                        Query::answer(id), answers);
   }
 
   /// @}
 
 private:
-  static void check(const FT& squared_radius)
+  static void check(const FT& squared_radius, double largest = (std::numeric_limits<double>::max)())
   {
-    Dynamic_Delaunay_triangulations_2::internal::check_extent("the squared radius",
-                                                              CGAL::to_double(squared_radius));
+    Dynamic_Delaunay_triangulations_2::internal::check_extent(
+        "the squared radius", CGAL::to_double(squared_radius), largest);
   }
 
   // Errors call p `number`, its number in a range.
@@ -228,7 +245,7 @@ private:
     return {Dynamic_Delaunay_triangulations_3::internal::certified_state(*m_dt), p, number};
   }
 
-  std::optional<size_type> find_nearest(const Point& p, size_type number) const
+  std::optional<Answer> find_nearest(const Point& p, size_type number) const
   {
     const Floating_point floating_point;
     const Query query = query_at(p, number);
@@ -236,10 +253,10 @@ private:
       return std::nullopt;
     const Measured v = walk(query);
     if (!m_found.empty()) // others are as near
-      flood(query, v.vertex,
-            [&](Vertex_index w) { return query.compare(query.measured(w), v) == EQUAL; });
+      flood(query, v.site,
+            [&](const Site& w) { return query.compare(query.measured(w), v) == EQUAL; });
     else
-      m_found.assign(1, v.vertex);
+      m_found.assign(1, v.site);
     return smallest_found(query, std::nullopt);
   }
 
@@ -249,56 +266,61 @@ private:
   {
     const Floating_point floating_point;
     const Query query = query_at(p, number);
-    check(squared_radius);
+    check(squared_radius, query.largest_squared_radius());
     if (query.state().number_of_vertices() == 0)
       return answers;
     const Measured v = walk(query);
     if (query.compare_square(v, squared_radius) == LARGER)
       return answers;
-    return write_within(query, v.vertex, squared_radius, std::nullopt, answers);
+    return write_within(query, v.site, squared_radius, std::nullopt, answers);
   }
 
-  // Calls f(w, cell) for each neighbor w of a vertex, with a cell of both, until f returns false; a
-  // neighbor may come twice. `first` is a cell of the vertex. Without cells, all other vertices are
+  static bool has_cells(const State& state)
+  {
+    if constexpr (Charts::is_periodic)
+      return true; // if it has vertices
+    else
+      return state.spans_space;
+  }
+
+  // Calls f(w, cell) for each neighbor w of a site, with a cell of both, until f returns false; a
+  // neighbor may come twice. `first` is a cell of the site. Without cells, all other vertices are
   // neighbors.
   template <class Function>
-  void visit_neighbors(const State& state, Vertex_index v, Cell_index first,
+  void visit_neighbors(const State& state, const Site& v, const Seen_cell& first,
                        const Function& f) const
   {
-    if (state.spans_space)
+    if (has_cells(state))
       return m_star.for_each_neighbor(state.arrays, v, first, f);
-    for (Vertex_index w(1); w <= state.number_of_vertices(); ++w)
-      if (w != v && !f(w, first))
+    for (Vertex_index n(1); n <= state.number_of_vertices(); ++n)
+      if (const Site w = Charts::site(n); !(w == v) && !f(w, first))
         return;
   }
   template <class Function>
-  void for_each_neighbor(const State& state, Vertex_index v, const Function& f) const
+  void for_each_neighbor(const State& state, const Site& v, const Function& f) const
   {
-    visit_neighbors(state, v, cell_of(state, v), [&](Vertex_index w, Cell_index) {
+    visit_neighbors(state, v, cell_of(state, v), [&](const Site& w, const Seen_cell&) {
       f(w);
       return true;
     });
   }
 
-  static Cell_index cell_of(const State& state, Vertex_index v)
+  static Seen_cell cell_of(const State& state, const Site& v)
   {
-    return state.spans_space
-               ? Dynamic_Delaunay_triangulations_3::internal::Tetrahedra_arrays_3::cell_of(
-                     state.arrays.corner_of(v))
-               : Cell_index();
+    return has_cells(state) ? Charts::first_cell(state.arrays, v) : Seen_cell();
   }
 
-  // Returns a nearest vertex: moves on to the next neighbor that is nearer until there is none.
+  // Returns a nearest site: moves on to the next neighbor that is nearer until there is none.
   // `m_found` then has neighbors that are as near.
   Measured walk(const Query& query) const
   {
-    Measured nearest = query.measured(start_of_walk(query));
-    Cell_index cell = cell_of(query.state(), nearest.vertex);
-    Vertex_index last;
+    Measured nearest = query.measured(query.site(start_of_walk(query)));
+    Seen_cell cell = cell_of(query.state(), nearest.site);
+    Site last;
     do {
-      last = nearest.vertex;
+      last = nearest.site;
       m_found.clear();
-      visit_neighbors(query.state(), last, cell, [&](Vertex_index w, Cell_index of_both) {
+      visit_neighbors(query.state(), last, cell, [&](const Site& w, const Seen_cell& of_both) {
         const Measured other = query.measured(w);
         const Comparison_result result = query.compare(other, nearest);
         if (result == EQUAL)
@@ -309,8 +331,8 @@ private:
         cell = of_both;
         return false;
       });
-    } while (nearest.vertex != last);
-    m_last = last;
+    } while (!(nearest.site == last));
+    m_last = Charts::vertex_of(last);
     return nearest;
   }
 
@@ -334,75 +356,74 @@ private:
   }
 
   // Of the shortest edge of a vertex in one of its cells; 0 without cells.
-  static double squared_edge_length(const Query& query, Vertex_index v)
+  static double squared_edge_length(const Query& query, Vertex_index number)
   {
     const State& state = query.state();
-    if (!state.spans_space)
+    if (!has_cells(state))
       return 0;
+    const Site v = Charts::site(number);
+    const Seen_cell cell = Charts::first_cell(state.arrays, v);
     double shortest = std::numeric_limits<double>::infinity();
-    for (const Vertex_index w : state.arrays.vertices(cell_of(state, v)))
-      if (w != v && w != Dynamic_Delaunay_triangulations_3::internal::infinite_index)
+    for (int place = 0; place < 4; ++place)
+      if (const Site w = Charts::site(state.arrays, cell, place);
+          !(w == v) && !Charts::is_infinite(w))
         shortest = (std::min)(shortest, query.rounded_squared_length(v, w));
     return shortest;
   }
 
-  // Finds all vertices w with `belongs(w)` that are connected with v by such vertices.
+  // Finds all sites w with `belongs(w)` that are connected with v by such sites.
   template <class Predicate>
-  void flood(const Query& query, Vertex_index v, const Predicate& belongs) const
+  void flood(const Query& query, const Site& v, const Predicate& belongs) const
   {
     m_found.assign(1, v);
     m_visited.clear();
-    m_visited.insert(v);
+    m_visited.insert(Charts::key(v));
     for (size_type n = 0; n < m_found.size(); ++n)
-      for_each_neighbor(query.state(), m_found[n], [&](Vertex_index w) {
-        if (m_visited.insert(w) && belongs(w))
+      for_each_neighbor(query.state(), Site(m_found[n]), [&](const Site& w) {
+        if (m_visited.insert(Charts::key(w)) && belongs(w))
           m_found.push_back(w);
       });
   }
 
-  // Calls f(id) for every point at the vertices that were found, except for `asking`.
+  // Calls f(answer) for every point at the sites that were found, except for `asking`.
   template <class Function>
-  void for_each_found(const Query& query, const std::optional<size_type>& asking,
+  void for_each_found(const Query& query, const std::optional<Answer>& asking,
                       const Function& f) const
   {
-    const auto& ids = query.state().ids;
-    const auto call = [&](size_type id) {
-      if (id != asking)
-        f(id);
-    };
-    for (const Vertex_index v : m_found) {
-      call(ids.representative(v));
-      ids.for_each_covered_at(v, [&](Point_id id, const auto&) { call(id); });
-    }
+    for (const Site& v : m_found)
+      query.for_each_answer(v, [&](const Answer& answer) {
+        if (answer != asking)
+          f(answer);
+      });
   }
 
-  std::optional<size_type> smallest_found(const Query& query,
-                                          const std::optional<size_type>& asking) const
+  std::optional<Answer> smallest_found(const Query& query,
+                                       const std::optional<Answer>& asking) const
   {
-    std::optional<size_type> smallest;
-    for_each_found(query, asking, [&](size_type found) {
-      if (!smallest || found < *smallest)
+    std::optional<Answer> smallest;
+    for_each_found(query, asking, [&](const Answer& found) {
+      if (!smallest || Query::is_before(found, *smallest))
         smallest = found;
     });
     return smallest;
   }
 
   template <class OutputIterator>
-  OutputIterator write_within(const Query& query, Vertex_index v, const FT& squared_radius,
-                              const std::optional<size_type>& asking, OutputIterator answers) const
+  OutputIterator write_within(const Query& query, const Site& v, const FT& squared_radius,
+                              const std::optional<Answer>& asking, OutputIterator answers) const
   {
-    flood(query, v, [&](Vertex_index w) {
+    flood(query, v, [&](const Site& w) {
       return query.compare_square(query.measured(w), squared_radius) != LARGER;
     });
-    for_each_found(query, asking, [&](size_type found) { *answers++ = found; });
+    for_each_found(query, asking, [&](const Answer& found) { *answers++ = found; });
     return answers;
   }
 
   const Dynamic* m_dt;
   mutable Vertex_index m_last{1}; // the vertex found by the last walk
-  mutable Dynamic_Delaunay_triangulations_3::internal::Star_cells_3 m_star;
-  mutable Dynamic_Delaunay_triangulations_3::internal::Sparse_set_3<Vertex_index> m_visited;
-  mutable std::vector<Vertex_index> m_found;
+  mutable Dynamic_Delaunay_triangulations_3::internal::Star_cells_3<typename State::Arrays> m_star;
+  mutable Dynamic_Delaunay_triangulations_3::internal::Sparse_set_3<typename Charts::Key> m_visited;
+  mutable std::vector<Site> m_found;
 };
 
 } // namespace CGAL

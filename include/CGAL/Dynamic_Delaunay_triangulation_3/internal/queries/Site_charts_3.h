@@ -26,12 +26,15 @@ struct Site_charts_3<Tetrahedra_arrays_3>
   using Arrays = Tetrahedra_arrays_3;
   using Site = Vertex_index;
   using Seen_cell = Cell_index;
-  using Key = Vertex_index; // of a site, in sets
+  using Key = Vertex_index;    // of a site, in sets
+  using Cell_key = Cell_index; // of a cell as it is seen
 
   static constexpr bool is_periodic = false;
 
   static Site site(Vertex_index v) { return v; }
+  static Vertex_index vertex_of(Site s) { return s; }
   static Key key(Site s) { return s; }
+  static Cell_key key_of_cell(Seen_cell c) { return c; }
   static bool is_infinite(Site s) { return s == infinite_index; }
   static bool is_infinite(const Arrays& arrays, Cell_index c) { return arrays.is_infinite(c); }
 
@@ -44,10 +47,10 @@ struct Site_charts_3<Tetrahedra_arrays_3>
   }
   static Site in_own_chart(Seen_cell, Site s) { return s; }
 
-  // A cell of the site of a vertex.
-  static Seen_cell first_cell(const Arrays& arrays, Vertex_index v)
+  // A cell of a site.
+  static Seen_cell first_cell(const Arrays& arrays, Site s)
   {
-    return Arrays::cell_of(arrays.corner_of(v));
+    return Arrays::cell_of(arrays.corner_of(s));
   }
   // The cell beyond the facet opposite to a place; `mirror` is the corner opposite to it there.
   static Seen_cell beyond(const Arrays&, Seen_cell, int, Corner_index mirror)
@@ -67,6 +70,7 @@ struct Site_charts_3<Torus_cells_3>
   using Arrays = Torus_cells_3;
   using Site = Torus_site_3;
   using Key = std::uint64_t;
+  using Cell_key = std::uint64_t;
 
   struct Seen_cell
   {
@@ -82,10 +86,9 @@ struct Site_charts_3<Torus_cells_3>
   static constexpr bool is_periodic = true;
 
   static Site site(Vertex_index v) { return {v, {}}; }
-  static Key key(const Site& s)
-  {
-    return std::uint64_t(Index(s.vertex)) | std::uint64_t(std::uint32_t(s.shift.code)) << 32;
-  }
+  static Vertex_index vertex_of(const Site& s) { return s.vertex; }
+  static Key key(const Site& s) { return key(s.vertex, s.shift); }
+  static Cell_key key_of_cell(const Seen_cell& c) { return key(c.cell, c.chart); }
   static bool is_infinite(const Site&) { return false; }
   static bool is_infinite(const Arrays&, Cell_index) { return false; }
 
@@ -101,10 +104,10 @@ struct Site_charts_3<Torus_cells_3>
     return {s.vertex, s.shift - c.chart};
   }
 
-  static Seen_cell first_cell(const Arrays& arrays, Vertex_index v)
+  static Seen_cell first_cell(const Arrays& arrays, const Site& s)
   {
-    const Corner_index k = arrays.corner_of(v);
-    return {Arrays::cell_of(k), -arrays.site(k).shift};
+    const Corner_index k = arrays.corner_of(s.vertex);
+    return {Arrays::cell_of(k), s.shift - arrays.site(k).shift};
   }
   static Seen_cell beyond(const Arrays& arrays, const Seen_cell& c, int place, Corner_index mirror)
   {
@@ -123,6 +126,12 @@ struct Site_charts_3<Torus_cells_3>
       return int(cell.vertices[place] == s.vertex) & int(cell.shifts[place] == own);
     };
     return is_at(1) + 2 * is_at(2) + 3 * is_at(3);
+  }
+
+private:
+  static std::uint64_t key(Index number, Torus_shift_3 shift)
+  {
+    return std::uint64_t(number) | std::uint64_t(std::uint32_t(shift.code)) << 32;
   }
 };
 

@@ -105,7 +105,7 @@ public:
     m_found.clear();
     m_open.clear();
     const Site center = Charts::site(v);
-    const Seen_cell first = Charts::first_cell(arrays, v);
+    const Seen_cell first = Charts::first_cell(arrays, center);
     for (int place = 0; place < 4 && m_open.empty(); ++place)
       if (const Site w = Charts::site(arrays, first, place); !(w == center))
         note(w, first);
@@ -152,45 +152,50 @@ private:
   Cell_ring_3<Charts> m_ring;
 };
 
-// Visits the cells of vertices, one vertex after the other. It is for who needs no cells around
-// edges, as `Vertex_star_3` finds them by walking around each: here a cell is entered once.
+// Visits the cells of sites, one site after the other. It is for who needs no cells around edges,
+// as `Vertex_star_3` finds them by walking around each: here a cell is entered once.
+template <class Arrays>
 class Star_cells_3
 {
+  using Charts = Site_charts_3<Arrays>;
+  using Site = typename Charts::Site;
+  using Seen_cell = typename Charts::Seen_cell;
+
 public:
   // Calls f(w, cell) for finite neighbors w of v, with a cell that has both, until f returns false.
   // Each neighbor comes at least once. `first` is one of the cells of v.
   template <class Function>
-  void for_each_neighbor(const Tetrahedra_arrays_3& arrays, Vertex_index v, Cell_index first,
+  void for_each_neighbor(const Arrays& arrays, const Site& v, const Seen_cell& first,
                          const Function& f)
   {
-    const auto call = [&](Vertex_index w, Cell_index c) {
-      return w == v || w == infinite_index || f(w, c);
+    const auto call = [&](const Site& w, const Seen_cell& c) {
+      return w == v || Charts::is_infinite(w) || f(w, c);
     };
     m_found.clear();
-    m_found.insert(first);
+    m_found.insert(Charts::key_of_cell(first));
     m_open.assign(1, first);
-    for (const Vertex_index w : arrays.vertices(first))
-      if (!call(w, first))
+    for (int place = 0; place != 4; ++place)
+      if (!call(Charts::site(arrays, first, place), first))
         return;
     for (std::size_t n = 0; n < m_open.size(); ++n) {
-      const Cell_index cell = m_open[n];
+      const Seen_cell cell = m_open[n];
       for (int place = 0; place != 4; ++place) {
-        if (arrays.vertices(cell)[place] == v)
+        if (Charts::site(arrays, cell, place) == v)
           continue;
-        const Corner_index beyond = arrays.mirror(Tetrahedra_arrays_3::corner(cell, place));
-        const Cell_index other = Tetrahedra_arrays_3::cell_of(beyond);
-        if (!m_found.insert(other))
+        const Corner_index beyond = arrays.mirror(Arrays::corner(Charts::cell_of(cell), place));
+        const Seen_cell other = Charts::beyond(arrays, cell, place, beyond);
+        if (!m_found.insert(Charts::key_of_cell(other)))
           continue;
         m_open.push_back(other);
-        if (!call(arrays.vertex(beyond), other))
+        if (!call(Charts::site(arrays, other, Arrays::place_of(beyond)), other))
           return;
       }
     }
   }
 
 private:
-  Sparse_set_3<Cell_index> m_found;
-  std::vector<Cell_index> m_open;
+  Sparse_set_3<typename Charts::Cell_key> m_found;
+  std::vector<Seen_cell> m_open;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
