@@ -7,29 +7,15 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/conversions/Vertex_info_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/certified_state_3.h>
 
 #include <cstddef>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
 
 namespace Dynamic_Delaunay_triangulations_3::internal {
-
-template <class Vertex, class = void>
-constexpr bool has_info = false;
-template <class Vertex>
-constexpr bool has_info<Vertex, std::void_t<decltype(std::declval<Vertex&>().info())>> = true;
-
-template <class VertexHandle>
-void set_info([[maybe_unused]] VertexHandle vertex, [[maybe_unused]] std::size_t id)
-{
-  using Vertex = std::decay_t<decltype(*vertex)>;
-  if constexpr (has_info<Vertex>)
-    vertex->info() = static_cast<std::decay_t<decltype(vertex->info())>>(id);
-}
 
 // Copies vertices and cells one to one.
 template <class State, class Triangulation>

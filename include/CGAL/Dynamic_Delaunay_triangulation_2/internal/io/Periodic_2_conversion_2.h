@@ -9,9 +9,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Decimal_number.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Wrapped_coordinate.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/number_utils.h>
@@ -21,7 +21,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -100,9 +99,7 @@ private:
     m_signs = {sides.x > 0 ? 1 : -1, sides.y > 0 ? 1 : -1};
     m_side = std::abs(sides.x);
     m_high = {m_low.x + m_side, m_low.y + m_side};
-    if (!(std::isfinite(m_high.x) && std::isfinite(m_high.y) &&
-          Torus_2::Exact(m_high.x) == Torus_2::Exact(m_low.x) + Torus_2::Exact(m_side) &&
-          Torus_2::Exact(m_high.y) == Torus_2::Exact(m_low.y) + Torus_2::Exact(m_side)))
+    if (!is_exact_sum(m_low.x, m_side, m_high.x) || !is_exact_sum(m_low.y, m_side, m_high.y))
       refuse("the upper right corner of the domain from ", m_low, " has no coordinates of doubles");
   }
 
@@ -122,19 +119,6 @@ private:
         m_points[id] = {x, y};
         m_multiples[id] = {i, j};
       }
-  }
-
-  // Returns the coordinate x - k side that is in the domain, or NaN if it is not a double, and k.
-  static std::pair<double, int> wrapped(double x, double low, double high, double side)
-  {
-    const double about = std::floor((x - low) / side);
-    for (int i = -1; i <= 1 && std::abs(about) < 2 * max_shift; ++i) {
-      const double k = about + i, candidate = std::fma(-k, side, x);
-      if (low <= candidate && candidate < high &&
-          Torus_2::Exact(candidate) == Torus_2::Exact(x) - Torus_2::Exact(k) * Torus_2::Exact(side))
-        return {candidate, int(k)};
-    }
-    return {std::numeric_limits<double>::quiet_NaN(), 0};
   }
 
   [[noreturn]] static void refuse(const std::string& what, const Position_2& p,

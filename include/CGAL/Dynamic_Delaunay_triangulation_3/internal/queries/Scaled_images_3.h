@@ -136,6 +136,13 @@ public:
     return {exact(p.x, q.x, 0), exact(p.y, q.y, 1), exact(p.z, q.z, 2)};
   }
 
+  // The shift of the second site's point where that of the first one is not shifted.
+  Periodic_shift_3 shift(const Site& from, const Site& to) const
+  {
+    const Multiples_3 m = multiples(from, to);
+    return m == no_multiples ? Periodic_shift_3{0, 0, 0} : m_state.torus.in_vectors_of_cell(m);
+  }
+
   // Whether a site is exactly on the sphere of a cell. No perturbation breaks ties here.
   bool are_on_a_sphere(const Torus_sites_3& cell, const Site& other) const
   {
@@ -209,12 +216,6 @@ private:
   {
     return m_state.positions.multiples(to.vertex) - m_state.positions.multiples(from.vertex) +
            (to.shift - from.shift).multiples();
-  }
-  // The shift of the second site's point where that of the first one is not shifted.
-  Periodic_shift_3 shift(const Site& from, const Site& to) const
-  {
-    const Multiples_3 m = multiples(from, to);
-    return m == no_multiples ? Periodic_shift_3{0, 0, 0} : m_state.torus.in_vectors_of_cell(m);
   }
   // By how much a point that is covered at v must be shifted to be where the point of v is.
   Periodic_shift_3 shift_to(Vertex_index v, const Position_3& p) const
