@@ -3,6 +3,7 @@
 
 // Triangulations of points in periodic space of three dimensions.
 
+#include "periodic_space_operations.h"
 #include "periodic_space_oracle.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
@@ -352,219 +353,7 @@ TEST(Points_in_periodic_space, share_a_vertex_where_images_coincide)
 
 // RANDOM PROGRAMS ---------------------------------------------------------------------------------
 
-// A triangulation, the points and the cell that it should have, and what happens to all of them.
-class Program
-{
-public:
-  // With a grid, points are on its multiples, where many are on spheres, planes and each other.
-  Program(std::uint64_t seed, std::size_t number, double grid)
-    : m_random(seed)
-    , m_grid(grid)
-    , m_dt(m_cell)
-  {
-    insert(number);
-  }
-
-  const Dynamic& triangulation() const { return m_dt; }
-
-  void expect_exact() const { periodic_space_oracle::expect_exact(m_dt, m_points, m_cell); }
-
-  // As a fresh triangulation of these points, ties included.
-  void expect_as_fresh() const
-  {
-    Points points;
-    std::map<std::size_t, std::size_t> ids;
-    for (const auto& [id, point] : m_points) {
-      ids.emplace(points.size(), id);
-      points.push_back(point);
-    }
-    std::set<std::array<Site, 4>> expected;
-    const Dynamic fresh(points, m_cell);
-    if (fresh.number_of_vertices() != fresh.number_of_points())
-      return; // others may represent the points there
-    for (std::array<Site, 4> sites : cells_of(fresh)) {
-      for (Site& site : sites)
-        site.first = ids.at(site.first);
-      periodic_space_oracle::normalize(sites);
-      expected.insert(sites);
-    }
-    EXPECT_EQ(cells_of(m_dt), expected);
-  }
-
-  void do_something()
-  {
-    switch (number_below(14)) {
-    case 0:
-      return insert(1 + number_below(1 + m_points.size() / 4));
-    case 1:
-      return remove(number_below(1 + m_points.size() / 4));
-    case 2:
-      return insert(1);
-    case 3:
-      return remove(1);
-    case 4:
-      return move_some();
-    case 5:
-    case 6:
-    case 7:
-      return change_cell();
-    default:
-      return move_all();
-    }
-  }
-
-private:
-  using Position = std::array<double, 3>;
-
-  std::size_t number_below(std::size_t n)
-  {
-    return std::uniform_int_distribution<std::size_t>(0, n - 1)(m_random);
-  }
-  double between(double low, double high)
-  {
-    return std::uniform_real_distribution<double>(low, high)(m_random);
-  }
-  double on_grid(double x) const { return m_grid > 0 ? std::round(x / m_grid) * m_grid : x; }
-  Point point_at(const Position& p) const
-  {
-    return Point(on_grid(p[0]), on_grid(p[1]), on_grid(p[2]));
-  }
-  Point anywhere()
-  {
-    if (!m_points.empty() && number_below(12) == 0)
-      return image(m_points[some_id()]);
-    return point_at({between(-1, 2), between(-1, 2), between(-1, 2)});
-  }
-  Point image(const Point& p)
-  {
-    Position x{p.x(), p.y(), p.z()};
-    for (std::size_t i = 0; i < 3; ++i) {
-      const int multiple = int(number_below(5)) - 2;
-      for (std::size_t k = 0; k < 3; ++k)
-        x[k] += multiple * m_cell.vector(i)[k];
-    }
-    return Point(x[0], x[1], x[2]);
-  }
-  std::size_t some_id()
-  {
-    return std::next(m_points.begin(), std::ptrdiff_t(number_below(m_points.size())))->first;
-  }
-
-  void insert(std::size_t number)
-  {
-    Points points;
-    for (std::size_t i = 0; i < number; ++i)
-      points.push_back(anywhere());
-    std::vector<std::size_t> ids;
-    m_dt.insert(points.begin(), points.end(), std::back_inserter(ids));
-    ASSERT_EQ(ids.size(), number);
-    for (std::size_t i = 0; i < number; ++i)
-      ASSERT_TRUE(m_points.emplace(ids[i], points[i]).second);
-  }
-  void remove(std::size_t number)
-  {
-    std::vector<std::size_t> ids;
-    while (ids.size() < number && !m_points.empty()) {
-      ids.push_back(some_id());
-      m_points.erase(ids.back());
-    }
-    EXPECT_EQ(m_dt.remove(ids).removed, ids.size());
-  }
-  void move_some()
-  {
-    std::vector<std::pair<std::size_t, Point>> movers;
-    const std::size_t share = 1 + number_below(12);
-    for (auto& [id, point] : m_points)
-      if (number_below(share) == 0) {
-        point = anywhere();
-        movers.emplace_back(id, point);
-      }
-    EXPECT_TRUE(m_dt.move(movers).certified);
-  }
-
-  template <class Motion>
-  void update(const Motion& motion)
-  {
-    Points points(m_dt.number_of_ids(), Point(0, 0, 0));
-    for (auto& [id, point] : m_points)
-      points[id] = point = motion(point);
-    EXPECT_TRUE((number_below(2) == 0 ? m_dt.update(points, m_cell)
-                                      : m_dt.update(points.begin(), points.end(), m_cell))
-                    .certified);
-  }
-
-  void move_all()
-  {
-    static constexpr double steps[] = {0, 1e-6, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.3, 1};
-    const double spacing = std::cbrt(m_cell.volume() / double(m_points.size() + 1));
-    const double step = steps[number_below(9)] * spacing;
-    std::normal_distribution<double> normal;
-    const Position drift{between(-1, 1), between(-1, 1), between(-1, 1)};
-    const bool drifts = number_below(4) == 0, wraps = number_below(3) == 0;
-    const bool jumps = number_below(4) == 0, meet = number_below(6) == 0;
-    const Point place = anywhere();
-    update([&](const Point& p) {
-      if (jumps && number_below(20) == 0)
-        return anywhere();
-      if (meet && number_below(10) == 0)
-        return image(place);
-      const Point moved = point_at({p.x() + step * normal(m_random) + (drifts ? drift[0] : 0),
-                                    p.y() + step * normal(m_random) + (drifts ? drift[1] : 0),
-                                    p.z() + step * normal(m_random) + (drifts ? drift[2] : 0)});
-      return wraps && number_below(3) == 0 ? image(moved) : moved;
-    });
-  }
-
-  // Deforms the cell, with the points or without them, or takes other vectors for its lattice.
-  void change_cell()
-  {
-    std::array<Coordinates, 3> v{m_cell.a(), m_cell.b(), m_cell.c()};
-    const std::size_t i = number_below(3), j = (i + 1 + number_below(2)) % 3;
-    const bool carries = number_below(4) > 0;
-    double strain = 0;
-    std::array<double, 3> factors{1, 1, 1};
-    switch (number_below(4)) {
-    case 0: // another basis
-      for (std::size_t k = 0; k < 3; ++k)
-        v[i][k] += carries ? v[j][k] : -v[j][k];
-      break;
-    case 1: // a mirrored one
-      std::swap(v[i], v[j]);
-      break;
-    case 2: // shear
-      strain = m_grid > 0 ? m_grid : between(-0.3, 0.3);
-      break;
-    default: // expansion or contraction
-      for (double& factor : factors)
-        factor = m_grid > 0 ? 1 + double(number_below(2)) : between(0.6, 1.6);
-    }
-    const auto deformed = [&](const Position& p) {
-      return Position{p[0] * factors[0] + strain * p[1] * factors[1], p[1] * factors[1],
-                      p[2] * factors[2]};
-    };
-    for (Coordinates& vector : v)
-      vector = deformed(vector);
-    double largest = 0, smallest = 1e9;
-    for (const Coordinates& vector : v) {
-      const double length = std::hypot(vector[0], vector[1], vector[2]);
-      largest = (std::max)(largest, length);
-      smallest = (std::min)(smallest, length);
-    }
-    if (largest > 8 * smallest || largest > 10) { // long enough: begins anew
-      v = {Coordinates{1, 0, 0}, Coordinates{0, 1, 0}, Coordinates{0, 0, 1}};
-      strain = 0;
-      factors = {1, 1, 1};
-    }
-    m_cell = Cell(v[0], v[1], v[2]);
-    update([&](const Point& p) { return carries ? point_at(deformed({p.x(), p.y(), p.z()})) : p; });
-  }
-
-  std::mt19937_64 m_random;
-  double m_grid;
-  Cell m_cell = unit;
-  std::map<std::size_t, Point> m_points;
-  Dynamic m_dt;
-};
+using Program = periodic_space_operations::Program<Dynamic>;
 
 std::size_t programs()
 {
@@ -577,7 +366,10 @@ TEST(Random_programs_in_periodic_space, are_exact_after_each_operation)
   const std::size_t numbers[] = {0, 1, 3, 8, 20, 60, 150};
   const double grids[] = {0, 0, 0, 0.25, 0.125};
   for (std::size_t seed = 0; seed < programs(); ++seed) {
-    Program program(seed, numbers[seed % 7], grids[seed % 5]);
+    periodic_space_operations::Setting setting;
+    setting.grid = grids[seed % 5];
+    Program program(std::mt19937_64(seed), setting);
+    program.insert(numbers[seed % 7]);
     for (int i = 0; i < 12; ++i) {
       program.do_something();
       ASSERT_NO_FATAL_FAILURE(program.expect_exact()) << seed << ' ' << i;
