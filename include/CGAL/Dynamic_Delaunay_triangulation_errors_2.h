@@ -392,7 +392,7 @@ public:
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
 A periodic triangulation cannot be converted: a point has no image in the domain without rounding,
-or one sheet is not enough.
+or, in the plane, one sheet is not enough.
 */
 class Periodic_conversion_error_2 : public Dynamic_Delaunay_triangulation_error_2
 {
