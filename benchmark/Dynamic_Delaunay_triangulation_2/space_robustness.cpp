@@ -297,7 +297,8 @@ private:
     try {
       begin(done);
       begin_with();
-      while (done < operations_of_trial && total() < m_options.operations) {
+      const std::size_t most = operations_of_trial / (family.periodic ? 2 : 1);
+      while (done < most && total() < m_options.operations) {
         begin(++done);
         operate(done);
         results.points += program.points().size();
