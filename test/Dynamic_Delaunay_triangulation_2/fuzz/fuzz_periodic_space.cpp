@@ -22,12 +22,12 @@ void fuzz::examine(const std::string& input)
   using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick>;
   using periodic_space_operations::Cell;
   const Cell cells[] = {
-      Cell(1, 1, 1),  Cell({1, 0.1, 0.2}, {0.5, -0.9, 0.1}, {1.3, 0.2, 1.1}), Cell(1, 1, 0.0625),
-      Cell(1, 1, 16), Cell({1, 0, 0}, {0.5, 1, 0}, {-0.5, 0.5, 1}),           Cell(1, 2, 0.5)};
-  constexpr double scales[] = {1, 1, 1, 0x1p-150, 0x1p150};
+      Cell(1, 1, 1), Cell({1, 0.1, 0.2}, {0.5, -0.9, 0.1}, {1.3, 0.2, 1.1}), Cell(1, 1, 0.125),
+      Cell(1, 1, 8), Cell({1, 0, 0}, {0.5, 1, 0}, {-0.5, 0.5, 1}),           Cell(1, 2, 0.5)};
+  constexpr double scales[] = {1, 1, 1, 0x1p-100, 0x1p100};
   constexpr double grids[] = {0, 0.5, 0.25, 0.125}; // shares of the scale
   constexpr int distances[] = {2, 2, 2, 10'000};    // in cells
-  constexpr std::size_t most_points = 24, most_operations = 12;
+  constexpr std::size_t most_points = 24, most_operations = 8;
   testing::GTEST_FLAG(throw_on_failure) = true; // as findings
   fuzz::Numbers_of_input numbers(input);
   periodic_space_operations::Setting setting;
