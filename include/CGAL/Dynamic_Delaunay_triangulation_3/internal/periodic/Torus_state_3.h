@@ -243,12 +243,8 @@ public:
   }
   Place place_near(const Point& point, Vertex_index v) const
   {
-    return place_near(point, positions.position(v));
-  }
-  Place place_near(const Point& point, const Position_3& position) const
-  {
-    const Position_3 base = approximation(point);
-    return Place(base, Torus_3::nearest(torus.fractions(position - base)), torus);
+    const Position_3 base = approximation(point), way = positions.position(v) - base;
+    return Place(base, Torus_3::nearest(torus.fractions(way)), torus);
   }
   bool coincide(const Point& p, Vertex_index v) const
   {

@@ -159,7 +159,7 @@ public:
     const Vertex_index v = site.vertex;
     call(m_state.ids.representative(v), m_state.positions.multiples(v));
     m_state.ids.for_each_covered_at(v, [&](Point_id id, const Point& p) {
-      call(id, m_state.place_at(approximation(p), m_state.positions.position(v)).multiples);
+      call(id, m_state.place_near(p, v).multiples);
     });
   }
 
@@ -235,7 +235,7 @@ private:
 
   Exact_number_3 exact_square(const Site& s) const
   {
-    const Exact_vector_3 v = m_state.torus.exact_vector(m_point, m_state.point(s));
+    const Exact_vector_3 v = m_state.torus.exact_vector(m_point, m_state.image(s));
     return dot(v, v);
   }
 

@@ -188,9 +188,8 @@ public:
   template <class Function>
   void show_shift(Vertex_index v, const Neighbor_entry_3& entry, const Function& f) const
   {
-    f(m_state.ids.is_representative(entry.id)
-          ? shift(site(v), site(entry))
-          : shift_to(v, approximation(m_state.ids.covered_point(entry.id))));
+    f(m_state.ids.is_representative(entry.id) ? shift(site(v), site(entry))
+                                              : shift_to(v, m_state.ids.covered_point(entry.id)));
   }
   Position_3 vector(Vertex_index v, const Neighbor_entry_3& entry) const
   {
@@ -218,9 +217,9 @@ private:
            (to.shift - from.shift).multiples();
   }
   // By how much a point that is covered at v must be shifted to be where the point of v is.
-  Periodic_shift_3 shift_to(Vertex_index v, const Position_3& p) const
+  Periodic_shift_3 shift_to(Vertex_index v, const typename State::Point& p) const
   {
-    const auto place = m_state.place_near(p, m_state.positions.position(v));
+    const auto place = m_state.place_near(p, v);
     return m_state.torus.in_vectors_of_cell(place.multiples - m_state.positions.multiples(v));
   }
 
