@@ -17,6 +17,24 @@ const char* kind_name(const std::optional<Cell>& cell)
   return !cell ? "open" : cell->is_slab() ? "periodic in one direction" : "periodic in x and y";
 }
 
+// Why the plane cannot be repeated by a cell; empty if it can.
+std::string flaw_of(const Cell& cell)
+{
+  for (std::size_t i = 0; i != 2; ++i) {
+    const Point& side = cell.sides[i];
+    if (!std::isfinite(side.x) || !std::isfinite(side.y)) {
+      return "the sides of the box are too long for a number";
+    }
+    if (cell.is_periodic[i] && side.x == 0.0 && side.y == 0.0) {
+      return std::string("the box is periodic along its ") + (i == 0 ? "first" : "second") +
+             " side, whose length is 0";
+    }
+  }
+  return !cell.is_slab() && cell.area() == 0.0
+             ? "the box is periodic along both sides, which are parallel"
+             : "";
+}
+
 // Most recordings are in the plane.
 void drop_zeros(std::vector<double>& heights)
 {
@@ -184,25 +202,21 @@ void check_ascends(const Text_scanner& scanner, const std::string& what, std::in
   }
 }
 
-std::optional<Cell> cell_of_box(const Text_scanner& scanner, const Cell& box)
+void set_box(Recorded_frame& frame, const Text_scanner& scanner, const Cell_3& box)
 {
-  if (!box.is_periodic[0] && !box.is_periodic[1]) {
-    return std::nullopt;
+  frame.box = box.is_periodic_along_any() ? std::optional(box) : std::nullopt;
+  const Cell cell = box.section();
+  if (!cell.is_periodic[0] && !cell.is_periodic[1]) {
+    return;
   }
-  for (std::size_t i = 0; i != 2; ++i) {
-    const Point& side = box.sides[i];
-    if (!std::isfinite(side.x) || !std::isfinite(side.y)) {
-      scanner.fail("the sides of the box are too long for a number");
+  frame.cell = cell;
+  if (const std::string flaw = flaw_of(cell); !flaw.empty()) {
+    const bool has_volume = box.is_finite() && box.volume() != 0.0;
+    if (!box.is_periodic_along_all() || !has_volume) {
+      scanner.fail(flaw);
     }
-    if (box.is_periodic[i] && side.x == 0.0 && side.y == 0.0) {
-      scanner.fail(std::string("the box is periodic along its ") + (i == 0 ? "first" : "second") +
-                   " side, whose length is 0");
-    }
+    frame.flaw_in_plane = {flaw, scanner.line_number()};
   }
-  if (!box.is_slab() && box.area() == 0.0) {
-    scanner.fail("the box is periodic along both sides, which are parallel");
-  }
-  return box;
 }
 
 void check_kind(const Text_scanner& scanner, const std::optional<Cell>& cell,

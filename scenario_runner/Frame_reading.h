@@ -117,9 +117,11 @@ double finite_number(const Text_scanner& scanner, std::string_view text, std::st
 void check_ascends(const Text_scanner& scanner, const std::string& what, std::int64_t number,
                    std::size_t line, const Recording& frames_before);
 
-// The cell that a box makes; none if no side is periodic.
-// \throws Scenario_error, with the scanner's line, if space cannot be repeated by it.
-std::optional<Cell> cell_of_box(const Text_scanner& scanner, const Cell& box);
+// Gives the frame its box, and the cell that this makes in the plane; none if no side is periodic.
+// If the box has a volume, and its section has no area, the frame has a flaw in the plane.
+// \throws Scenario_error, with the scanner's line, if neither the plane nor space can be repeated
+// by the box.
+void set_box(Recorded_frame& frame, const Text_scanner& scanner, const Cell_3& box);
 
 // \throws Scenario_error, with the scanner's line, if the cell is of another kind than that of the
 // frame before: the whole recording is periodic in both directions, or in one, or in none.

@@ -5,6 +5,7 @@
 #define SCENARIO_RUNNER_LAMMPS_BOX_H
 
 #include "scenario_runner/Cell.h"
+#include "scenario_runner/space/Cell_3.h"
 
 #include <array>
 #include <ostream>
@@ -21,12 +22,14 @@ struct Lammps_bounds
   std::array<double, 3> tilt{};
 };
 
-// The section of the box with a plane z = constant.
-Cell cell_of_bounds(const Lammps_bounds& bounds, const std::array<bool, 2>& is_periodic);
+Cell_3 box_of_bounds(const Lammps_bounds& bounds, const std::array<bool, 3>& is_periodic);
 
-// Writes the header and the three lines, which are read as the same cell again: where rounding of
-// bounds would change it, or if its first side is not along x, vectors and the origin are written
-// instead.
+// Writes the header and the three lines, which are read as the same box again: where rounding of
+// bounds would change it, or if its first side is not along x or its second one leaves the plane of
+// x and y, vectors and the origin are written instead.
+void write_lammps_box(std::ostream& out, const Cell_3& box);
+
+// Does so with a box of height 1 that has the cell in the middle.
 void write_lammps_box(std::ostream& out, const Cell& cell);
 
 } // namespace scenario

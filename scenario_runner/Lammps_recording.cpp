@@ -107,8 +107,7 @@ private:
     m_frame_is_open = true;
     m_number_of_atoms.reset();
     m_box.reset();
-    m_cell.reset();
-    m_is_periodic_in_z = false;
+    m_head = {};
   }
 
   void read_box(std::string_view header)
@@ -122,11 +121,11 @@ private:
     const bool is_tilted = begins_with({"xy", "xz", "yz"});
     words.erase(words.begin(), words.begin() + (has_vectors ? 2 : is_tilted ? 3 : 0));
     check_boundaries(words);
-    const auto is_periodic = [&words](std::size_t axis) { return words[axis] == "pp"; };
-    m_box.emplace(has_vectors ? read_vectors({is_periodic(0), is_periodic(1)})
-                              : read_bounds(is_tilted, {is_periodic(0), is_periodic(1)}));
-    m_cell = cell_of_box(m_scanner, *m_box);
-    m_is_periodic_in_z = is_periodic(2);
+    std::array<bool, 3> is_periodic{};
+    std::transform(words.begin(), words.end(), is_periodic.begin(),
+                   [](std::string_view word) { return word == "pp"; });
+    m_box.emplace(has_vectors ? read_vectors(is_periodic) : read_bounds(is_tilted, is_periodic));
+    set_box(m_head, m_scanner, *m_box);
   }
 
   // Dumps of LAMMPS before 2010 have no boundaries. The box was periodic then, unless the input of
@@ -159,7 +158,7 @@ private:
     return text;
   }
 
-  Cell read_bounds(bool is_tilted, const std::array<bool, 2>& is_periodic)
+  Cell_3 read_bounds(bool is_tilted, const std::array<bool, 3>& is_periodic)
   {
     constexpr std::array<const char*, 3> tilts = {"xy", "xz", "yz"};
     Lammps_bounds bounds;
@@ -167,41 +166,39 @@ private:
       read_numbers(is_tilted ? 3 : 2, "the lower and the upper bound of the box");
       bounds.low[axis] = finite_number(m_scanner, m_fields[0], "lower bound");
       bounds.high[axis] = finite_number(m_scanner, m_fields[1], "upper bound");
-      if (axis != 2 && is_periodic[axis] && !(bounds.low[axis] < bounds.high[axis])) {
-        m_scanner.fail("the box is periodic here, so its upper bound " + in_quotes(m_fields[1]) +
-                       " has to be above its lower bound " + in_quotes(m_fields[0]));
+      if (is_periodic[axis] && !(bounds.low[axis] < bounds.high[axis])) {
+        const std::string flaw = "the box is periodic here, so its upper bound " +
+                                 in_quotes(m_fields[1]) + " has to be above its lower bound " +
+                                 in_quotes(m_fields[0]);
+        if (axis != 2) {
+          m_scanner.fail(flaw);
+        }
+        m_head.flaw_in_space = {flaw, m_scanner.line_number()};
       }
       if (is_tilted) {
         bounds.tilt[axis] = finite_number(m_scanner, m_fields[2], tilts[axis]);
       }
     }
-    m_leans_along_z = bounds.tilt[1] != 0.0 || bounds.tilt[2] != 0.0;
-    m_bottom = bounds.low[2];
-    m_heights_of_sides = {0.0, 0.0, bounds.high[2] - bounds.low[2]};
-    const Cell box = cell_of_bounds(bounds, is_periodic);
-    if ((is_periodic[0] && !(box.sides[0].x > 0.0)) ||
-        (is_periodic[1] && !(box.sides[1].y > 0.0))) {
+    const Cell_3 box = box_of_bounds(bounds, is_periodic);
+    if ((is_periodic[0] && !(box.sides[0][0] > 0.0)) ||
+        (is_periodic[1] && !(box.sides[1][1] > 0.0))) {
       m_scanner.fail("the box is periodic, and its bounds leave no room beside its tilt");
     }
     return box;
   }
 
   // Each line has a vector and a coordinate of the origin.
-  Cell read_vectors(const std::array<bool, 2>& is_periodic)
+  Cell_3 read_vectors(const std::array<bool, 3>& is_periodic)
   {
-    std::array<std::array<double, 4>, 3> rows{};
-    for (auto& row : rows) {
-      read_numbers(row.size(), "a vector of the box and a coordinate of its origin");
-      for (std::size_t i = 0; i != row.size(); ++i) {
-        row[i] = finite_number(m_scanner, m_fields[i], i == 3 ? "origin" : "vector");
+    Cell_3 box{{}, {}, is_periodic};
+    for (std::size_t row = 0; row != 3; ++row) {
+      read_numbers(4, "a vector of the box and a coordinate of its origin");
+      for (std::size_t i = 0; i != 3; ++i) {
+        box.sides[row][i] = finite_number(m_scanner, m_fields[i], "vector");
       }
+      box.corner[row] = finite_number(m_scanner, m_fields[3], "origin");
     }
-    m_leans_along_z = rows[2][0] != 0.0 || rows[2][1] != 0.0;
-    m_bottom = rows[2][3];
-    m_heights_of_sides = {rows[0][2], rows[1][2], rows[2][2]};
-    return {{rows[0][3], rows[1][3]},
-            {{{rows[0][0], rows[0][1]}, {rows[1][0], rows[1][1]}}},
-            is_periodic};
+    return box;
   }
 
   void read_numbers(std::size_t number, const char* what)
@@ -219,12 +216,10 @@ private:
                      std::to_string(m_timestep));
     }
     const Columns columns = read_columns(header);
-    Recorded_frame frame;
+    Recorded_frame frame = std::move(m_head);
     frame.number = m_timestep;
     frame.time = m_time.value_or(static_cast<double>(m_timestep));
-    frame.cell = m_cell;
-    frame.is_periodic_in_z = m_is_periodic_in_z;
-    check_kind(m_scanner, m_cell, frames);
+    check_kind(m_scanner, frame.cell, frames);
     m_rows.begin(*m_number_of_atoms, m_scanner);
     for (std::size_t i = 0; i != *m_number_of_atoms; ++i) {
       read_atom(columns);
@@ -249,7 +244,7 @@ private:
     }
     for (const auto& [x, y, z, scaled] : coordinate_names) {
       if (position(x) != missing && position(y) != missing) {
-        check_scaling(scaled);
+        check_scaling(scaled, position(z) != missing);
         return {names.size(),
                 position("id"),
                 position(x),
@@ -271,14 +266,14 @@ private:
     }
   }
 
-  void check_scaling(bool scaled) const
+  void check_scaling(bool scaled, bool has_z) const
   {
     if (scaled && !m_box) {
       m_scanner.fail("scaled coordinates need ITEM: BOX BOUNDS before the atoms");
     }
-    if (scaled && m_leans_along_z) {
-      m_scanner.fail("scaled coordinates in a box that is tilted along z are not supported, dump "
-                     "x y instead");
+    if (scaled && !has_z && (m_box->sides[2][0] != 0.0 || m_box->sides[2][1] != 0.0)) {
+      m_scanner.fail("scaled coordinates in a box that is tilted along z need all three: dump zs "
+                     "or zsu, too, or x y");
     }
   }
 
@@ -299,8 +294,9 @@ private:
                 m_scanner.coordinate(m_fields[columns.y], "y", std::to_string(id))};
     double height = columns.z ? height_in(m_fields[*columns.z]) : 0.0;
     if (columns.scaled) {
-      height = columns.z ? unscaled_height(point, height) : 0.0;
-      point = unscaled(point);
+      const Point_3 place = unscaled(point, height);
+      height = columns.z ? place[2] : 0.0;
+      point = {place[0], place[1]};
       check_finite(point, id);
     }
     m_rows.add(id, point, height, m_scanner.line_number());
@@ -314,17 +310,16 @@ private:
     }
   }
 
-  Point unscaled(const Point& fractions) const
+  // The third fraction may be NaN where the third side is along z: then z is so alone.
+  Point_3 unscaled(const Point& fractions, double third) const
   {
-    const auto& [a, b] = m_box->sides;
-    return {m_box->corner.x + fractions.x * a.x + fractions.y * b.x,
-            m_box->corner.y + fractions.x * a.y + fractions.y * b.y};
-  }
-
-  double unscaled_height(const Point& fractions, double fraction) const
-  {
-    const auto& [a, b, c] = m_heights_of_sides;
-    return m_bottom + fractions.x * a + fractions.y * b + fraction * c;
+    const auto& [a, b, c] = m_box->sides;
+    Point_3 place = m_box->corner;
+    for (std::size_t axis = 0; axis != 3; ++axis) {
+      place[axis] += fractions.x * a[axis] + fractions.y * b[axis];
+      place[axis] += c[axis] == 0.0 ? 0.0 : third * c[axis];
+    }
+    return place;
   }
 
   [[noreturn]] void fail_truncated(const std::string& how) const
@@ -354,12 +349,8 @@ private:
   std::int64_t m_timestep = 0;
   std::optional<double> m_time;
   std::optional<std::size_t> m_number_of_atoms;
-  std::optional<Cell> m_box;  // periodic or not
-  std::optional<Cell> m_cell; // if it is
-  bool m_leans_along_z = false;
-  double m_bottom = 0.0; // of the box, and how far its sides rise
-  std::array<double, 3> m_heights_of_sides{};
-  bool m_is_periodic_in_z = false;
+  std::optional<Cell_3> m_box; // periodic or not
+  Recorded_frame m_head;       // what the box makes of the frame
   bool m_frame_is_open = false;
 };
 

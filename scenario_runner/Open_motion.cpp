@@ -31,6 +31,17 @@ std::string recording_name(const std::string& path)
   return is_standard_input(path) ? "standard_input" : without_gz(path).stem().string();
 }
 
+std::string name_in_messages(const std::string& path)
+{
+  return is_standard_input(path) ? "standard input" : path;
+}
+
+std::unique_ptr<Motion> open_in_plane(const std::string& path, Recording recording)
+{
+  check_in_plane(name_in_messages(path), recording);
+  return std::make_unique<Recorded_motion>(recording_name(path), std::move(recording));
+}
+
 // A .txt file in a directory of recordings is more likely a description than a recording.
 bool is_recording(const std::filesystem::path& file)
 {
@@ -170,7 +181,7 @@ std::unique_ptr<Motion> open_motion(const std::string& path, const Overrides& ov
   if (!is_scenario_file(path)) {
     check_name(path);
     refuse_overrides(path, overrides);
-    return std::make_unique<Recorded_motion>(recording_name(path), read_recording(path, columns));
+    return open_in_plane(path, read_recording(path, columns));
   }
   if (!columns.empty()) {
     throw Scenario_error(path, "is no table, so its columns cannot be named");
@@ -193,11 +204,10 @@ Opened_motion open_any_motion(const std::string& path, const Overrides& override
   refuse_overrides(path, overrides);
   Recording recording = read_recording(path, columns);
   if (dimension ? *dimension == 3 : is_in_space(recording)) {
-    return {nullptr,
-            std::make_unique<Recorded_motion_3>(is_standard_input(path) ? "standard input" : path,
-                                                recording_name(path), std::move(recording))};
+    return {nullptr, std::make_unique<Recorded_motion_3>(
+                         name_in_messages(path), recording_name(path), std::move(recording))};
   }
-  return {std::make_unique<Recorded_motion>(recording_name(path), std::move(recording)), nullptr};
+  return {open_in_plane(path, std::move(recording)), nullptr};
 }
 
 Scenario_facts scenario_facts(const std::string& path, const std::optional<std::size_t>& points)

@@ -24,6 +24,15 @@ bool has_fixed_population(const Recording& recording)
   });
 }
 
+void check_in_plane(const std::string& file, const Recording& recording)
+{
+  for (const Recorded_frame& frame : recording) {
+    if (frame.flaw_in_plane) {
+      throw Scenario_error(file, frame.flaw_in_plane->message, frame.flaw_in_plane->line);
+    }
+  }
+}
+
 bool is_standard_input(const std::string& path)
 {
   return path == "-";

@@ -5,6 +5,7 @@
 #define SCENARIO_RUNNER_RECORDED_MOTION_H
 
 #include "scenario_runner/Motion.h"
+#include "scenario_runner/space/Cell_3.h"
 #include "scenario_runner/Text_input.h"
 
 #include <cstddef>
@@ -23,6 +24,13 @@ namespace scenario {
 // The text that a file has as the id of a point, by the number that stands for it.
 using Point_name_list = std::vector<std::string>;
 
+// What is wrong with a frame, and in which line of its file.
+struct Frame_flaw
+{
+  std::string message;
+  std::size_t line;
+};
+
 // Ids ascending, each once; points in the same order.
 struct Recorded_frame
 {
@@ -35,7 +43,10 @@ struct Recorded_frame
   // The third coordinates: 0 where the file has none, NaN where it has something else than a finite
   // number. Empty if all are 0.
   std::vector<double> heights{};
-  bool is_periodic_in_z = false;
+  std::optional<Cell_3> box{}; // of which the cell is a section; none where it is not periodic
+  // Why it cannot be in the plane, or in space; mostly it can.
+  std::optional<Frame_flaw> flaw_in_plane{};
+  std::optional<Frame_flaw> flaw_in_space{};
 };
 
 using Recording = std::vector<Recorded_frame>;
@@ -43,6 +54,9 @@ using Recording = std::vector<Recorded_frame>;
 // Whether the numbers of frames ascend, and whether all frames have the same ids.
 bool do_numbers_ascend(const Recording& recording);
 bool has_fixed_population(const Recording& recording);
+
+// \throws Scenario_error if a frame cannot be in the plane: the section of its box is flat.
+void check_in_plane(const std::string& file, const Recording& recording);
 
 // A motion, in the plane or in space, that shows the frames of a recording, one after another.
 template <class Base>
@@ -126,12 +140,14 @@ Recording parse_csv(const std::string& file, std::string_view text,
 // The text dumps of the molecular dynamics program LAMMPS. Coordinates are taken from the first of
 // the column pairs `x y`, `xu yu`, `xs ys`, `xsu ysu` that is there, and from the third column of
 // its kind, as `z`, if it is there; the last two are fractions of the box. Atoms and columns come
-// in any order, further columns are ignored. A box that is periodic in x or y is the frame's cell,
-// also if it is tilted. \throws Scenario_error, in which the text is called `file`
+// in any order, further columns are ignored. A box that is periodic is the frame's box, also if it
+// is tilted, and where it is so in x or y its section is the frame's cell. \throws Scenario_error,
+// in which the text is called `file`
 Recording parse_lammps_dump(const std::string& file, std::string_view text);
 
 // XYZ files, extended or not. Points are known by the property `id`, or else by their places in the
-// frame. A Lattice that is periodic in its first or second vector is the frame's cell.
+// frame. A Lattice that is periodic is the frame's box, and where it is so in its first or second
+// vector its section is the frame's cell.
 // \throws Scenario_error, in which the text is called `file`
 Recording parse_xyz(const std::string& file, std::string_view text);
 

@@ -66,8 +66,7 @@ private:
     Recorded_frame frame;
     frame.number = number(comment, frames);
     frame.time = comment.has("time") ? comment.number("time") : static_cast<double>(frame.number);
-    frame.cell = cell(comment);
-    frame.is_periodic_in_z = periodic_sides(comment)[2];
+    set_box(frame, m_scanner, box(comment));
     check_kind(m_scanner, frame.cell, frames);
     const Columns columns = read_columns(comment);
     if (!frames.empty() && columns.ids_are_text != m_ids_are_text) {
@@ -97,24 +96,24 @@ private:
     return number;
   }
 
-  std::optional<Cell> cell(const Xyz_comment& comment) const
+  Cell_3 box(const Xyz_comment& comment) const
   {
-    const std::array<bool, 3> sides = periodic_sides(comment);
-    const std::array<bool, 2> is_periodic = {sides[0], sides[1]};
+    Cell_3 box{{}, {}, periodic_sides(comment)};
     if (!comment.has("lattice")) {
-      if (is_periodic[0] || is_periodic[1]) {
+      if (box.is_periodic[0] || box.is_periodic[1]) {
         m_scanner.fail("the frame is periodic by its pbc, but has no Lattice");
       }
-      return std::nullopt;
+      return box;
     }
-    const std::vector<double> vectors = comment.matrix("lattice");
-    Point corner{0.0, 0.0};
+    const std::vector<double> numbers = comment.matrix("lattice");
+    for (std::size_t i = 0; i != numbers.size(); ++i) {
+      box.sides[i / 3][i % 3] = numbers[i];
+    }
     if (comment.has("origin")) {
       const std::vector<double> origin = comment.numbers("origin", 3);
-      corner = {origin[0], origin[1]};
+      box.corner = {origin[0], origin[1], origin[2]};
     }
-    return cell_of_box(
-        m_scanner, {corner, {{{vectors[0], vectors[1]}, {vectors[3], vectors[4]}}}, is_periodic});
+    return box;
   }
 
   // A lattice without pbc is periodic.

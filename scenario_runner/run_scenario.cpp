@@ -228,9 +228,10 @@ int run_in_space(const run::Run_options& options, scenario::Motion_3& motion,
     throw std::invalid_argument(options.given_for_plane.front() +
                                 ": is for the plane, and the motion is in space");
   }
-  const run::Any_policy_3 policy = run::make_policy_3(options.policy);
-  const run::Run_subject_3 subject{motion.name(), options.policy, options.threads,
-                                   motion.time_step(), facts.seed};
+  const run::Run_subject_3 subject{
+      motion.name(),   options.policy,
+      options.threads, motion.time_step(),
+      facts.seed,      motion.cell() ? std::optional<std::string>("torus") : std::nullopt};
   run::Run_summary_3 summary;
   {
     std::optional<run::Output_file> report;
@@ -239,8 +240,8 @@ int run_in_space(const run::Run_options& options, scenario::Motion_3& motion,
     }
     run::Outputs_3 outputs(options, frames);
     summary = run::Threads(options.threads).execute([&] {
-      run::Motion_run_3 run(motion, policy);
-      return run_all(run, frames, outputs);
+      const auto run = run::make_motion_run_3(motion, options.policy);
+      return run_all(*run, frames, outputs);
     });
     outputs.finish();
     if (report) {

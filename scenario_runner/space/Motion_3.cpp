@@ -6,6 +6,7 @@
 #include "scenario_runner/Text_input.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -15,10 +16,40 @@ namespace scenario {
 
 namespace {
 
+// The numbers of the sides that are periodic, in words.
+std::string periodic_sides_text(const Cell_3& box)
+{
+  constexpr std::array<const char*, 3> words = {"first", "second", "third"};
+  std::string text;
+  for (std::size_t i = 0; i != 3; ++i) {
+    if (box.is_periodic[i]) {
+      text += std::string(text.empty() ? "" : " and its ") + words[i];
+    }
+  }
+  return text;
+}
+
+// Why space cannot be repeated by a box; empty if it can.
+std::string flaw_of(const Cell_3& box)
+{
+  if (!box.is_periodic_along_all()) {
+    return "whose box is periodic only along its " + periodic_sides_text(box) +
+           " side: in space, it has to be so along all three sides, or along none";
+  }
+  if (!box.is_finite()) {
+    return "the sides of whose box are too long for a number";
+  }
+  return box.volume() == 0.0 ? "whose box has no volume" : "";
+}
+
 void check_frame(const std::string& file, const Recorded_frame& frame, const std::string& advice)
 {
-  if (frame.cell || frame.is_periodic_in_z) {
-    throw Scenario_error(file, "is in space and periodic, and only open space is known" + advice);
+  if (frame.flaw_in_space) {
+    throw Scenario_error(file, frame.flaw_in_space->message + advice, frame.flaw_in_space->line);
+  }
+  if (const std::string flaw = frame.box ? flaw_of(*frame.box) : ""; !flaw.empty()) {
+    throw Scenario_error(file, "is in space, and has the frame " + std::to_string(frame.number) +
+                                   ", " + flaw + advice);
   }
   const auto wrong = std::find_if(frame.heights.begin(), frame.heights.end(),
                                   [](double z) { return !std::isfinite(z); });
@@ -50,8 +81,14 @@ bool is_in_space(const Recording& recording)
 
 void check_in_space(const std::string& file, const Recording& recording, const std::string& choice)
 {
+  const std::string advice = "; " + choice + " takes x and y alone";
   for (const Recorded_frame& frame : recording) {
-    check_frame(file, frame, "; " + choice + " takes x and y alone");
+    check_frame(file, frame, advice);
+    if (frame.box.has_value() != recording.front().box.has_value()) {
+      throw Scenario_error(file, "is in space, and the box of some frames is periodic, that of "
+                                 "others is not" +
+                                     advice);
+    }
   }
 }
 

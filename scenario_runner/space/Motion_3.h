@@ -6,15 +6,13 @@
 
 #include "scenario_runner/Motion.h"
 #include "scenario_runner/Recorded_motion.h"
+#include "scenario_runner/space/Cell_3.h"
 
-#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace scenario {
-
-using Point_3 = std::array<double, 3>;
 
 // Points that move in space.
 class Motion_3 : public Any_motion
@@ -27,14 +25,18 @@ public:
 
   // The far corner of the box from the origin that the points do not leave, if there is one.
   virtual std::optional<Point_3> box() const { return std::nullopt; }
+
+  // The cell of the frame, periodic along all sides; none where space is open, in all frames.
+  virtual std::optional<Cell_3> cell() const { return std::nullopt; }
 };
 
 // Whether the points of a recording move in space: some of their third coordinates differ.
 bool is_in_space(const Recording& recording);
 
 // \throws Scenario_error, with the frame and the point, if a third coordinate of a recording in
-// space is no finite number; or if it is periodic: space that repeats itself is not known here.
-// `choice` is how the reader of the message says that the recording is to be in the plane.
+// space is no finite number; or if its boxes do not all make an open space, or all a periodic one,
+// which they are along all sides. `choice` is how the reader of the message says that the recording
+// is to be in the plane.
 void check_in_space(const std::string& file, const Recording& recording, const std::string& choice);
 
 // A recording whose points have a third coordinate.
@@ -45,6 +47,7 @@ public:
   Recorded_motion_3(const std::string& file, const std::string& name, Recording recording);
 
   const std::vector<Point_3>& points() const override { return m_points; }
+  std::optional<Cell_3> cell() const override { return frame().box; }
   bool advance(const Neighbor_edges& neighbors) override;
 
 private:

@@ -4,100 +4,121 @@
 #include "scenario_runner/space/Motion_run_3.h"
 
 #include "scenario_runner/Measurement.h"
-
-#include <boost/iterator/counting_iterator.hpp>
-#include <boost/iterator/transform_iterator.hpp>
-#include <boost/property_map/function_property_map.hpp>
+#include "scenario_runner/space/Kept_motion_3.h"
+#include "scenario_runner/space/Kept_periodic_motion_3.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace run {
 
 namespace {
 
-using Point = Dynamic_3::Point;
-
-struct As_point
+// `Kept` has the triangulation of a motion, in open or in periodic space.
+template <class Kept>
+class Motion_run_of_3 : public Motion_run_3
 {
-  Point operator()(const scenario::Point_3& p) const { return Point(p[0], p[1], p[2]); }
+public:
+  // `settings` are what Kept takes beside the motion.
+  template <class... Settings>
+  explicit Motion_run_of_3(scenario::Motion_3& motion, const Settings&... settings)
+    : Motion_run_3(motion)
+  {
+    start([&] { m_kept.emplace(motion, settings...); });
+    Motion_run_of_3::find_places();
+  }
+
+  std::vector<Shown_cell_3> cells() const override
+  {
+    std::vector<Shown_cell_3> cells;
+    m_kept->for_each_cell(
+        [&](const std::array<std::size_t, 4>& ids, const std::array<scenario::Shift_3, 4>& shifts) {
+          Shown_cell_3 cell{{}, shifts};
+          std::transform(ids.begin(), ids.end(), cell.places.begin(),
+                         [this](std::size_t id) { return m_places[id]; });
+          cells.push_back(cell);
+        });
+    return cells;
+  }
+
+  std::vector<Measured_cell_3>
+  measured_cells(CGAL::Voronoi_cell_measures_3& measures) const override
+  {
+    m_kept->measure(motion(), measures);
+    std::vector<Measured_cell_3> cells;
+    for (std::size_t place = 0; place != motion().points().size(); ++place) {
+      const std::size_t id = m_kept->id(motion(), place);
+      const std::size_t shared = m_kept->triangulation().representative(id);
+      cells.push_back({measures.volumes()[id], measures.surface_areas()[id],
+                       measures.offsets()[shared + 1] - measures.offsets()[shared]});
+    }
+    return cells;
+  }
+
+private:
+  // A point may be a neighbor of its own image.
+  void list_neighbors(scenario::Neighbor_edges& neighbors) const override
+  {
+    m_kept->triangulation().for_each_edge([&](std::size_t i, std::size_t j, const auto&...) {
+      if (i != j) {
+        neighbors.emplace_back(m_places[i], m_places[j]);
+      }
+    });
+  }
+
+  CGAL::Update_report_3 update() override { return m_kept->update(motion()); }
+
+  void find_places() override
+  {
+    m_places.resize(m_kept->triangulation().number_of_ids());
+    for (std::size_t place = 0; place != motion().points().size(); ++place) {
+      m_places[m_kept->id(motion(), place)] = static_cast<std::uint32_t>(place);
+    }
+  }
+
+  bool is_certified() const override { return m_kept->triangulation().is_certified(); }
+  bool is_valid() const override { return m_kept->triangulation().is_valid(); }
+
+  void prepare_opponents() override
+  {
+    if constexpr (std::is_same_v<Kept, Kept_motion_3>) {
+      m_opponents.prepare(motion().points(), record().frame == 0 || record().population_changed);
+    } else {
+      m_opponents.prepare(motion());
+    }
+  }
+  double time_insert() override { return m_opponents.time_insert(); }
+  double time_fastest() override { return m_opponents.time_fastest(); }
+
+  std::optional<Kept> m_kept;
+  std::vector<std::uint32_t> m_places; // by the triangulation's ids
+  typename Kept::Opponents m_opponents;
 };
-
-// A motion's points as those of the triangulation, without a copy.
-auto begin_of(const scenario::Motion_3& motion)
-{
-  return boost::make_transform_iterator(motion.points().begin(), As_point());
-}
-auto end_of(const scenario::Motion_3& motion)
-{
-  return boost::make_transform_iterator(motion.points().end(), As_point());
-}
 
 } // namespace
 
-Any_policy_3 make_policy_3(const Policy_choice& choice)
+std::unique_ptr<Motion_run_3> make_motion_run_3(scenario::Motion_3& motion,
+                                                const Policy_choice& policy)
 {
-  if (choice.name == "always_static") {
-    return Any_policy_3(CGAL::Always_static_policy_2());
+  const Any_policy_3 its_policy = make_policy_3(policy);
+  if (!motion.cell()) {
+    return std::make_unique<Motion_run_of_3<Kept_motion_3>>(motion, its_policy);
   }
-  if (choice.name == "key_frames") {
-    return Any_policy_3(CGAL::Key_frame_policy_2(*choice.parameter));
+  if (policy.name != "always_dynamic") {
+    throw std::invalid_argument("--policy " + policy.name +
+                                ": is for open space, and the motion is in periodic space");
   }
-  if (choice.name != "always_dynamic") {
-    throw std::invalid_argument("--policy " + choice.name +
-                                ": is for the plane, and the motion is in space");
-  }
-  return Any_policy_3();
-}
-
-Kept_motion_3::Kept_motion_3(const scenario::Motion_3& motion, const Any_policy_3& policy)
-{
-  if (motion.has_fixed_population()) {
-    m_triangulation.emplace(begin_of(motion), end_of(motion), policy);
-  } else {
-    m_population.emplace(Dynamic_3(policy));
-    update_population(motion);
-  }
-  find_places(motion);
-}
-
-CGAL::Update_report_3 Kept_motion_3::update(const scenario::Motion_3& motion)
-{
-  return m_population ? update_population(motion)
-                      : m_triangulation->update(begin_of(motion), end_of(motion));
-}
-
-CGAL::Update_report_3 Kept_motion_3::update_population(const scenario::Motion_3& motion)
-{
-  using Place = boost::counting_iterator<std::size_t>;
-  const auto id = [&](std::size_t place) { return motion.ids()[place]; };
-  const auto point = [&](std::size_t place) { return As_point()(motion.points()[place]); };
-  return m_population->update(Place(0), Place(motion.points().size()),
-                              boost::make_function_property_map<std::size_t>(id),
-                              boost::make_function_property_map<std::size_t>(point));
-}
-
-void Kept_motion_3::find_places(const scenario::Motion_3& motion)
-{
-  m_places.resize(triangulation().number_of_ids());
-  for (std::size_t place = 0; place != motion.points().size(); ++place) {
-    m_places[id(motion, place)] = static_cast<std::uint32_t>(place);
-  }
-}
-
-Motion_run_3::Motion_run_3(scenario::Motion_3& motion, const Any_policy_3& policy)
-  : m_motion(motion)
-  , m_kept(motion, policy)
-{
-  with_frame_in_message([this] { begin_frame(); });
+  return std::make_unique<Motion_run_of_3<Kept_periodic_motion_3>>(motion);
 }
 
 void Motion_run_3::check_first_frame()
 {
   with_frame_in_message([this] {
-    m_opponents.prepare(m_motion.points(), true);
+    prepare_opponents();
     check();
   });
 }
@@ -110,10 +131,10 @@ bool Motion_run_3::advance()
     is_there = m_motion.advance(neighbors());
     if (is_there) {
       begin_frame();
-      m_opponents.prepare(m_motion.points(), m_record.population_changed);
+      prepare_opponents();
       time_all();
       if (m_record.population_changed) {
-        m_kept.find_places(m_motion);
+        find_places();
       }
       check();
     }
@@ -121,28 +142,23 @@ bool Motion_run_3::advance()
   return is_there;
 }
 
-std::vector<Motion_run_3::Shown_cell_3> Motion_run_3::cells() const
-{
-  std::vector<Shown_cell_3> cells;
-  triangulation().for_each_cell([&](const std::array<std::size_t, 4>& ids) {
-    Shown_cell_3 cell{};
-    std::transform(ids.begin(), ids.end(), cell.begin(),
-                   [this](std::size_t id) { return m_kept.place(id); });
-    cells.push_back(cell);
-  });
-  return cells;
-}
-
-// Pairs of places; none if the motion uses no neighbors.
+// None if the motion uses no neighbors.
 const scenario::Neighbor_edges& Motion_run_3::neighbors()
 {
   m_neighbors.clear();
   if (m_motion.uses_neighbors()) {
-    triangulation().for_each_edge([this](std::size_t i, std::size_t j) {
-      m_neighbors.emplace_back(m_kept.place(i), m_kept.place(j));
-    });
+    list_neighbors(m_neighbors);
   }
   return m_neighbors;
+}
+
+template <class Triangulate>
+void Motion_run_3::start(const Triangulate& triangulate)
+{
+  with_frame_in_message([&] {
+    begin_frame();
+    triangulate();
+  });
 }
 
 template <class Work>
@@ -186,27 +202,25 @@ void Motion_run_3::time_all()
   for (std::size_t i = 0; i != contestants; ++i) {
     switch ((m_record.frame + i) % contestants) {
     case 0:
-      time_dynamic();
+      m_record.nanoseconds.dynamic = nanoseconds_of([this] { m_record.update = update(); });
       break;
     case 1:
-      m_record.nanoseconds.static_insert = m_opponents.time_insert();
+      m_record.nanoseconds.static_insert = time_insert();
       break;
     default:
-      m_record.nanoseconds.static_fastest = m_opponents.time_fastest();
+      m_record.nanoseconds.static_fastest = time_fastest();
     }
   }
-}
-
-void Motion_run_3::time_dynamic()
-{
-  m_record.nanoseconds.dynamic =
-      nanoseconds_of([this] { m_record.update = m_kept.update(m_motion); });
+  if (m_motion.cell()) { // which way is faster depends on the cell
+    auto& [dynamic, insert, fastest] = m_record.nanoseconds;
+    fastest = (std::min)(fastest, insert);
+  }
 }
 
 void Motion_run_3::check()
 {
-  m_record.certified = triangulation().is_certified();
-  if (!triangulation().is_valid()) {
+  m_record.certified = is_certified();
+  if (!is_valid()) {
     throw std::runtime_error("the triangulation is not Delaunay");
   }
 }

@@ -20,8 +20,8 @@
 
 namespace run {
 
-// A frame as an unstructured grid in VTK's XML format: all points in the order of the motion, and
-// the cells as tetrahedra.
+// A frame as an unstructured grid in VTK's XML format: all points in the order of the motion, then
+// the images that only cells across the sides of a periodic cell need, and the cells as tetrahedra.
 void write_vtk_grid(std::ostream& out, const Motion_run_3& run);
 
 // The files that a run in space writes while its frames pass. They are opened before the first

@@ -37,6 +37,7 @@ void write_report(std::ostream& out, const Run_subject_3& subject, const Run_sum
   json["threads"] = subject.threads;
   json["time_step"] = json_of(subject.time_step);
   json["seed"] = json_of(subject.seed);
+  json["cell"] = json_of(subject.cell);
   json["exact"] = true;
   json["certified_frames"] = summary.certified_frames;
   json["valid_frames"] = summary.frames; // the first invalid one would have ended the run
@@ -54,6 +55,9 @@ void write_table(std::ostream& out, const Run_subject_3& subject, const Run_summ
   Table table({}, Table::Align::LEFT);
   table.add("scenario", subject.scenario + ", " + std::to_string(summary.points) +
                             " points in space, " + std::to_string(summary.frames) + " frames");
+  if (subject.cell) {
+    table.add("cell", *subject.cell);
+  }
   table.add("repair", "hold_and_flip (exact)");
   table.add("policy", subject.policy.text());
   table.add("certified frames", certified_text(summary));

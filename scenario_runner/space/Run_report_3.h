@@ -24,6 +24,7 @@ struct Run_subject_3
   unsigned threads;
   std::optional<double> time_step;
   std::optional<std::uint64_t> seed; // where there is chance
+  std::optional<std::string> cell;   // the kind, where space is periodic
 };
 
 // All frames of a run in space after the first one, in a few numbers.

@@ -80,9 +80,11 @@ Particle_description_3 read_particles(const Json_object_reader& reader)
 
 Brownian_description_3 read_brownian(const Json_object_reader& reader)
 {
-  reader.allow_only({"dimension", "name", "kind", "seed", "frames", "time_step", "points", "box"});
+  reader.allow_only(
+      {"dimension", "name", "kind", "seed", "frames", "time_step", "points", "box", "cell"});
   return {reader.count("points", max_points), reader.triple("box", magnitude),
-          reader.number("time_step", positive_up_to(largest_time_step))};
+          reader.number("time_step", positive_up_to(largest_time_step)),
+          reader.has("cell") && reader.choice("cell", {"closed", "periodic"}) == "periodic"};
 }
 
 } // namespace

@@ -34,6 +34,11 @@ double reflected(double value, double side)
   return folded > side ? 2.0 * side - folded : folded;
 }
 
+double wrapped(double value, double period)
+{
+  return value - period * std::floor(value / period);
+}
+
 } // namespace
 
 Simulated_motion_3::Simulated_motion_3(const Scenario_description_3& description,
@@ -51,6 +56,7 @@ Brownian_motion_3::Brownian_motion_3(const Scenario_description_3& description,
                                      const Brownian_description_3& brownian, std::uint64_t seed)
   : Simulated_motion_3(description, brownian.points, brownian.time_step)
   , m_box(brownian.box)
+  , m_is_periodic(brownian.is_periodic)
   , m_random(seed)
   , m_step(brownian.time_step *
            std::cbrt(m_box[0] * m_box[1] * m_box[2] / static_cast<double>(brownian.points)))
@@ -62,11 +68,21 @@ Brownian_motion_3::Brownian_motion_3(const Scenario_description_3& description,
   }
 }
 
+std::optional<Cell_3> Brownian_motion_3::cell() const
+{
+  if (!m_is_periodic) {
+    return std::nullopt;
+  }
+  const auto& [width, depth, height] = m_box;
+  return Cell_3{{}, {{{width, 0, 0}, {0, depth, 0}, {0, 0, height}}}, {true, true, true}};
+}
+
 bool Brownian_motion_3::advance(const Neighbor_edges&)
 {
   for (Point_3& point : m_points) {
     for (std::size_t axis = 0; axis != 3; ++axis) {
-      point[axis] = reflected(point[axis] + m_step * m_random.gaussian(), m_box[axis]);
+      const double place = point[axis] + m_step * m_random.gaussian();
+      point[axis] = m_is_periodic ? wrapped(place, m_box[axis]) : reflected(place, m_box[axis]);
     }
   }
   m_time += 1.0;

@@ -40,7 +40,7 @@ private:
 };
 
 // Points that start uniformly in a box and take an independent Gaussian step every frame; the sides
-// of the box reflect them.
+// of the box reflect them, or it is periodic, and they are wrapped into it.
 class Brownian_motion_3 : public Simulated_motion_3
 {
 public:
@@ -48,11 +48,16 @@ public:
                     const Brownian_description_3& brownian, std::uint64_t seed);
 
   double time() const override { return m_time; }
-  std::optional<Point_3> box() const override { return m_box; }
+  std::optional<Point_3> box() const override
+  {
+    return m_is_periodic ? std::nullopt : std::optional(m_box);
+  }
+  std::optional<Cell_3> cell() const override;
   bool advance(const Neighbor_edges&) override;
 
 private:
   Box_3 m_box;
+  bool m_is_periodic;
   Random_source m_random;
   double m_step; // its standard deviation along each axis
   double m_time = 0.0;

@@ -72,9 +72,16 @@ py::array points_of(const scenario::Recorded_frame& frame, std::size_t dimension
   return to_numpy({std::move(points), {dimension}});
 }
 
-// The vectors by which space is repeated.
-py::object cell_of(const scenario::Recorded_frame& frame)
+// The vectors by which the plane or space is repeated.
+py::object cell_of(const scenario::Recorded_frame& frame, std::size_t dimension)
 {
+  if (dimension == 3 && frame.box) {
+    std::vector<double> vectors;
+    for (const scenario::Point_3& side : frame.box->sides) {
+      vectors.insert(vectors.end(), side.begin(), side.end());
+    }
+    return to_numpy({std::move(vectors), {3}});
+  }
   if (!frame.cell) {
     return py::none();
   }
@@ -92,9 +99,11 @@ int checked_dimension(const std::string& path, const scenario::Recording& record
                       std::optional<int> wanted)
 {
   const int dimension = wanted.value_or(scenario::is_in_space(recording) ? 3 : 2);
+  const std::string name = scenario::is_standard_input(path) ? "standard input" : path;
   if (dimension == 3) {
-    scenario::check_in_space(scenario::is_standard_input(path) ? "standard input" : path, recording,
-                             "dimension=2");
+    scenario::check_in_space(name, recording, "dimension=2");
+  } else {
+    scenario::check_in_plane(name, recording);
   }
   return dimension;
 }
@@ -114,7 +123,7 @@ py::list read_recording(const std::string& path, const std::string& columns,
   Names_in_python names;
   for (const scenario::Recorded_frame& frame : recording) {
     frames.append(py::make_tuple(frame.number, frame.time, names.ids(frame),
-                                 points_of(frame, dimension), cell_of(frame)));
+                                 points_of(frame, dimension), cell_of(frame, dimension)));
   }
   return frames;
 }

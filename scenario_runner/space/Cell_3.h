@@ -1,0 +1,88 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef SCENARIO_RUNNER_SPACE_CELL_3_H
+#define SCENARIO_RUNNER_SPACE_CELL_3_H
+
+#include "scenario_runner/Cell.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace scenario {
+
+using Point_3 = std::array<double, 3>;
+
+// How often a point is shifted by each side of a cell in space.
+using Shift_3 = std::array<int, 3>;
+
+// The box of a frame in space, a parallelepiped. Everything is repeated along the sides that are
+// periodic.
+struct Cell_3
+{
+  Point_3 corner;
+  std::array<Point_3, 3> sides;
+  std::array<bool, 3> is_periodic;
+
+  bool is_periodic_along_all() const
+  {
+    return std::all_of(is_periodic.begin(), is_periodic.end(), [](bool is) { return is; });
+  }
+  bool is_periodic_along_any() const
+  {
+    return std::any_of(is_periodic.begin(), is_periodic.end(), [](bool is) { return is; });
+  }
+
+  bool is_finite() const
+  {
+    return std::all_of(sides.begin(), sides.end(), [](const Point_3& side) {
+      return std::all_of(side.begin(), side.end(), [](double x) { return std::isfinite(x); });
+    });
+  }
+
+  // Negative where the sides are left-handed.
+  double volume() const
+  {
+    const auto& [a, b, c] = sides;
+    return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
+           a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+
+  // Whether it is a cube along the axes.
+  bool is_cube() const
+  {
+    const double length = sides[0][0];
+    return length > 0.0 &&
+           sides == std::array<Point_3, 3>{{{length, 0, 0}, {0, length, 0}, {0, 0, length}}};
+  }
+
+  // What a plane has of it where z is left out.
+  Cell section() const
+  {
+    return {{corner[0], corner[1]},
+            {{{sides[0][0], sides[0][1]}, {sides[1][0], sides[1][1]}}},
+            {is_periodic[0], is_periodic[1]}};
+  }
+
+  Point_3 image(Point_3 point, const Shift_3& shift) const
+  {
+    for (std::size_t side = 0; side != 3; ++side) {
+      for (std::size_t axis = 0; axis != 3; ++axis) {
+        point[axis] += shift[side] * sides[side][axis];
+      }
+    }
+    return point;
+  }
+
+  friend bool operator==(const Cell_3& c, const Cell_3& d)
+  {
+    return c.corner == d.corner && c.sides == d.sides && c.is_periodic == d.is_periodic;
+  }
+  friend bool operator!=(const Cell_3& c, const Cell_3& d) { return !(c == d); }
+};
+
+} // namespace scenario
+
+#endif // SCENARIO_RUNNER_SPACE_CELL_3_H
