@@ -61,8 +61,9 @@ void Periodic_opponents_3::prepare(const scenario::Motion_3& motion)
 
 double Periodic_opponents_3::time_insert()
 {
-  // From some hundred points on one copy of them suffices, and CGAL is fast if it is told so.
-  constexpr std::size_t large = 50;
+  // CGAL is told that there are so many points that one copy of them suffices, where that is
+  // faster.
+  constexpr std::size_t large = 100;
   if (!m_cell->is_cube()) {
     return time_fastest();
   }

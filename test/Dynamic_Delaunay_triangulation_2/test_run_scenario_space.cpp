@@ -207,7 +207,7 @@ TEST(Recording_in_space, is_read_from_dumps)
             points);
 }
 
-TEST(Recording_in_space, needs_finite_heights_and_an_open_box)
+TEST(Recording_in_space, needs_finite_heights)
 {
   EXPECT_EQ(
       message_of(scenario::parse_csv("f", "frame,id,x,y,z\n3,1,0,0,1\n3,2,4,0,none\n")),
@@ -216,14 +216,6 @@ TEST(Recording_in_space, needs_finite_heights_and_an_open_box)
   EXPECT_EQ(message_of(scenario::parse_csv("f", "frame,id,x,y,z\n3,Ann,0,0,inf\n")),
             "file: is in space, and z of id 'Ann' in frame 3 is no finite number; --dimension 2 "
             "takes x and y alone");
-  for (const char* const periodic : {"pp ff ff", "ff pp ff", "ff ff pp", "pp pp pp"}) {
-    EXPECT_EQ(
-        message_of(scenario::parse_lammps_dump(
-            "f", std::string("ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ") +
-                     periodic + "\n0 8\n0 8\n0 8\nITEM: ATOMS id x y z\n1 1 2 3\n")),
-        "file: is in space and periodic, and only open space is known; --dimension 2 takes x "
-        "and y alone");
-  }
 }
 
 TEST(Recording_in_space, runs_in_the_plane_too)
