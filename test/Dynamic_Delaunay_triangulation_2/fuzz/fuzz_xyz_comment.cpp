@@ -71,23 +71,27 @@ std::string matrix(const std::vector<std::string>& words, Style style)
   return array(rows, style);
 }
 
-std::string cell_text(const scenario::Cell& cell, Style style, const std::string& equals)
+std::string box_text(const scenario::Cell_3& box, Style style, const std::string& equals)
 {
   const auto text = [style](double value) { return number(value, style); };
   const auto letter = [](bool is_true) { return is_true ? "T" : "F"; };
-  const auto& [a, b] = cell.sides;
-  return "Lattice" + equals +
-         matrix({text(a.x), text(a.y), "0", text(b.x), text(b.y), "0", "0", "0", "1"}, style) +
-         " Origin" + equals + array({text(cell.corner.x), text(cell.corner.y), "0"}, style) +
-         " pbc" + equals +
-         array({letter(cell.is_periodic[0]), letter(cell.is_periodic[1]), "F"}, style) + " ";
+  std::vector<std::string> sides, corner, are_periodic;
+  for (std::size_t i = 0; i != 3; ++i) {
+    for (const double coordinate : box.sides[i]) {
+      sides.push_back(text(coordinate));
+    }
+    corner.push_back(text(box.corner[i]));
+    are_periodic.emplace_back(letter(box.is_periodic[i]));
+  }
+  return "Lattice" + equals + matrix(sides, style) + " Origin" + equals + array(corner, style) +
+         " pbc" + equals + array(are_periodic, style) + " ";
 }
 
 std::string written(const Recorded_frame& frame, Style style)
 {
   const std::string equals = style == Style::FORTRAN ? "  = " : "=";
   std::string text = std::to_string(frame.ids.size()) + "\nremark=\"a \\\" Lattice = 1\" ";
-  text += frame.cell ? cell_text(*frame.cell, style, equals) : "";
+  text += frame.box ? box_text(*frame.box, style, equals) : "";
   text += std::string("Properties") + equals + "pos:R:2:id:" + (frame.names ? "S" : "I") +
           ":1 Time" + equals + number(frame.time, style) + " Frame" + equals +
           std::to_string(frame.number) + "\n";
@@ -119,7 +123,8 @@ bool are_equal(const Recorded_frame& a, const Recorded_frame& b)
                ? (*a.names)[static_cast<std::size_t>(i)] == (*b.names)[static_cast<std::size_t>(j)]
                : i == j;
   };
-  return a.time == b.time && a.number == b.number && a.cell == b.cell && !a.names == !b.names &&
+  return a.time == b.time && a.number == b.number && a.cell == b.cell && a.box == b.box &&
+         !a.names == !b.names &&
          std::equal(a.ids.begin(), a.ids.end(), b.ids.begin(), b.ids.end(), has_same_name) &&
          std::equal(a.points.begin(), a.points.end(), b.points.begin(), b.points.end(), is_same);
 }

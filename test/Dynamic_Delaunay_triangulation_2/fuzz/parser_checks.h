@@ -9,6 +9,7 @@
 #include "fuzz_target.h"
 #include "scenario_runner/Motion.h"
 #include "scenario_runner/Recorded_motion.h"
+#include "scenario_runner/space/Motion_3.h"
 #include "scenario_runner/Text_input.h"
 
 #include <algorithm>
@@ -90,6 +91,32 @@ inline void require_sound(const scenario::Recorded_frame& frame)
           "an id has no name, others have");
 }
 
+// Whether a check that may throw Scenario_error accepts a recording.
+template <class Check>
+bool is_accepted(const Check& check)
+{
+  try {
+    check();
+    return true;
+  } catch (const scenario::Scenario_error&) {
+    return false;
+  }
+}
+
+inline void require_sound_in_space(const scenario::Recording& recording)
+{
+  scenario::Recorded_motion_3 motion(file_name, "motion", recording);
+  do {
+    for (const scenario::Point_3& point : motion.points()) {
+      require(std::isfinite(point[2]), "a third coordinate is not finite");
+    }
+    if (const auto cell = motion.cell()) {
+      require(cell->is_periodic_along_all() && cell->is_finite() && cell->volume() != 0.0,
+              "a cell in space has no volume");
+    }
+  } while (motion.advance({}));
+}
+
 inline void require_sound(scenario::Recording recording)
 {
   const std::size_t number_of_frames = recording.size();
@@ -97,6 +124,12 @@ inline void require_sound(scenario::Recording recording)
   for (std::size_t i = 0; i != number_of_frames; ++i) {
     require_sound(recording[i]);
     require(i == 0 || recording[i - 1].number < recording[i].number, "frames do not ascend");
+  }
+  if (is_accepted([&] { scenario::check_in_space(file_name, recording, "--dimension 2"); })) {
+    require_sound_in_space(recording);
+  }
+  if (!is_accepted([&] { scenario::check_in_plane(file_name, recording); })) {
+    return;
   }
   scenario::Recorded_motion motion("motion", std::move(recording));
   std::size_t frames_seen = 0;
