@@ -85,7 +85,11 @@ inline std::optional<Error_description> error_description(const std::exception_p
     return Description{"PeriodicCellError",
                        e.what(),
                        {{"ax", e.ax()}, {"ay", e.ay()}, {"bx", e.bx()}, {"by", e.by()}}};
+  } catch (const CGAL::Periodic_cell_error_3& e) {
+    return Description{"PeriodicCellError", e.what()};
   } catch (const CGAL::Periodic_range_error_2& e) {
+    return Description{"PeriodicRangeError", e.what(), {{"id", e.id()}}};
+  } catch (const CGAL::Periodic_range_error_3& e) {
     return Description{"PeriodicRangeError", e.what(), {{"id", e.id()}}};
   } catch (const CGAL::Checkpoint_error_2& e) {
     return Description{"CheckpointError", e.what(), {{"line", e.line()}}};

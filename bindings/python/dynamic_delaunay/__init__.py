@@ -4,7 +4,8 @@
 """Delaunay triangulations of moving points, kept exact while the points move.
 
 ``DynamicDelaunay`` for points in the plane or in space, ``Population`` for those that come and go, ``PeriodicDelaunay``
-for periodic cells, ``track()`` for whole trajectories, and ``read_recording()`` for files of them.
+and ``PeriodicPopulation`` for both in periodic cells, ``track()`` for whole trajectories, and ``read_recording()`` for
+files of them.
 """
 
 from . import errors
@@ -13,6 +14,12 @@ from ._triangulations import CellMeasures, DynamicDelaunay, PeriodicDelaunay, Pe
 from .bounded import BoundedCellGradients, BoundedCells, CellPieces, CellSurface, Side
 from .errors import *  # noqa: F403
 from .neighbors import NeighborList
+from .periodic_space import (
+    PeriodicDelaunay3D,
+    PeriodicNeighborLists3D,
+    PeriodicPopulation3D,
+    PeriodicVoronoiCells3D,
+)
 from .queries import AlphaClass, AlphaShape, InterpolationWeights, NearestPoints, PointsWithin
 from .recording import RecordedFrame, read_recording
 from .space import DynamicDelaunay3D, Population3D, VoronoiCells3D
@@ -34,7 +41,11 @@ __all__ = [
     "NearestPoints",
     "NeighborList",
     "PeriodicDelaunay",
+    "PeriodicDelaunay3D",
+    "PeriodicNeighborLists3D",
     "PeriodicPopulation",
+    "PeriodicPopulation3D",
+    "PeriodicVoronoiCells3D",
     "PointsWithin",
     "Population",
     "Population3D",

@@ -26,6 +26,7 @@ from .errors import (
     UnknownIdError,
 )
 from .neighbors import NeighborList
+from .periodic_space import PeriodicDelaunay3D, PeriodicPopulation3D, is_cell_in_space
 from .queries import AlphaShape, InterpolationWeights
 from .space import DynamicDelaunay3D, Population3D
 
@@ -406,8 +407,26 @@ class DynamicDelaunay(_ByNumbers, _Planar, _ByShape):
         return self._update(points, None, None)
 
 
-class PeriodicDelaunay(_ByNumbers, _Periodic):
-    """The Delaunay triangulation of moving points in a periodic cell, which may change with every frame.
+class _PeriodicByShape(_Triangulation):
+    """What makes a triangulation in periodic space of points (n, 3), or of a cell in space."""
+
+    def __new__(cls, *arguments: Any, **named: Any) -> Any:
+        if cls is PeriodicDelaunay and _are_periodic_in_space(("points", "cell"), arguments, named):
+            return PeriodicDelaunay3D(*arguments, **named)
+        if cls is PeriodicPopulation and _are_periodic_in_space(("ids", "points", "cell"), arguments, named):
+            return PeriodicPopulation3D(*arguments, **named)
+        return super().__new__(cls)
+
+
+def _are_periodic_in_space(names: tuple[str, ...], arguments: tuple[Any, ...], named: dict[str, Any]) -> bool:
+    passed = {**dict(zip(names, arguments)), **named}
+    return are_in_space(passed.get("points")) or is_cell_in_space(passed.get("cell"))
+
+
+class PeriodicDelaunay(_ByNumbers, _Periodic, _PeriodicByShape):
+    """The Delaunay triangulation of moving points in a periodic cell, which may change with every frame. Of points
+    (n, 3), or of a cell in space, (3,) or (3, 3), it becomes a PeriodicDelaunay3D, which of the settings has
+    ``threads``.
 
     It is of one sheet, and exact: n points have 3n edges and 2n triangles. An edge goes from a point to the image of
     another one by a shift (i, j), which is moved by i times the first vector of the cell and j times the second one.
@@ -500,9 +519,10 @@ class Population(_ByIds, _Planar, _ByShape):
         return self._update(points, ids, None)
 
 
-class PeriodicPopulation(_ByIds, _Periodic):
+class PeriodicPopulation(_ByIds, _Periodic, _PeriodicByShape):
     """A Population in a periodic cell: parameters are the ids, int (n,), the points, float (n, 2), the cell, as of
-    PeriodicDelaunay, and those of DynamicDelaunay."""
+    PeriodicDelaunay, and those of DynamicDelaunay. Of points (n, 3), or of a cell in space, it becomes a
+    PeriodicPopulation3D, which of the settings has ``threads``."""
 
     def __init__(
         self,

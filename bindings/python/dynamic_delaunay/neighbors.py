@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 class NeighborList:
     """Pairs of neighbors, each in both directions, as freud names them. Sorted by the first point of a pair.
 
-    The weight of a pair is the length of the edge that its Voronoi cells share, infinite on the hull. So it is what
-    ``freud.locality.Voronoi`` has as ``nlist``, with vectors of two coordinates.
+    The weight of a pair is the length of the edge that its Voronoi cells share, infinite on the hull, or in space the
+    area of their facet. So it is what ``freud.locality.Voronoi`` has as ``nlist``, in the plane with vectors of two
+    coordinates.
     """
 
     query_point_indices: NDArray[np.int32]
@@ -22,16 +23,17 @@ class NeighborList:
     point_indices: NDArray[np.int32]
     """int32 (pairs,): the row of the second point"""
     vectors: NDArray[np.float64]
-    """float64 (pairs, 2): from the first point to the (image of the) second one, in the unit of the coordinates"""
+    """float64 (pairs, 2), in space (pairs, 3): from the first point to the (image of the) second one, in the unit of the
+    coordinates"""
     weights: NDArray[np.float64]
-    """float64 (pairs,): length of the shared Voronoi edge"""
+    """float64 (pairs,): length of the shared Voronoi edge, or in space area of the shared facet"""
     neighbor_counts: NDArray[np.int64]
     """int64 (rows,): neighbors of each row"""
 
     @property
     def distances(self) -> NDArray[np.float64]:
         """float64 (pairs,): lengths of the vectors"""
-        distances: NDArray[np.float64] = np.hypot(self.vectors[:, 0], self.vectors[:, 1])
+        distances: NDArray[np.float64] = np.hypot.reduce(self.vectors, axis=1)
         return distances
 
     @property

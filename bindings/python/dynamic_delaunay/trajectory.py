@@ -23,6 +23,7 @@ from .errors import (
     NonFiniteCoordinateError,
     PeriodicRangeError,
 )
+from .periodic_space import PeriodicDelaunay3D, PeriodicPopulation3D
 from .recording import RecordedFrame
 from .space import DynamicDelaunay3D, Population3D
 
@@ -33,7 +34,7 @@ class _FrameFields(NamedTuple):
     number: Any
     """of the frame, from 0, or what the table or the recording says"""
     triangulation: Followed
-    """or, of points in space, a DynamicDelaunay3D or Population3D"""
+    """or, of points in space, a DynamicDelaunay3D, Population3D, PeriodicDelaunay3D or PeriodicPopulation3D"""
     report: UpdateReport
     """what the update did; in space an UpdateReport3D"""
 
@@ -94,7 +95,8 @@ def track(trajectory: Any, cell: Any = None, *, progress: bool = False, **settin
     progress : bool
         Whether tqdm shows how far it is, if it is installed.
     settings
-        classifier, repair and so on, as of DynamicDelaunay or Population; for points in space changes and threads.
+        classifier, repair and so on, as of DynamicDelaunay or Population; for points in space changes and threads, in
+        a periodic cell threads alone.
 
     What is wrong with a frame is an error of the package, whose message begins with the frame.
     """
@@ -136,17 +138,23 @@ def _with_numbers(read: _Read, names: Optional[_Names]) -> _Read:
 def _follow(read: _Read, cell: Any, settings: dict[str, Any]) -> Followed:
     """Without points, but for those whose number does not change."""
     cell = read.cell if cell is None else cell
-    if cell is None and are_in_space(read.points):  # a shape is no part of a type
-        return cast(Followed, DynamicDelaunay3D(**settings) if read.ids is None else Population3D(**settings))
+    if are_in_space(read.points):
+        return cast(Followed, _follow_in_space(read, cell, settings))  # a shape is no part of a type
     if read.ids is not None:
         return Population(**settings) if cell is None else PeriodicPopulation(cell=cell, **settings)
     return DynamicDelaunay(**settings) if cell is None else PeriodicDelaunay(cell=cell, **settings)
 
 
+def _follow_in_space(read: _Read, cell: Any, settings: dict[str, Any]) -> object:
+    if read.ids is not None:
+        return Population3D(**settings) if cell is None else PeriodicPopulation3D(cell=cell, **settings)
+    return DynamicDelaunay3D(**settings) if cell is None else PeriodicDelaunay3D(cell=cell, **settings)
+
+
 def _update(followed: Followed, read: _Read, cell: Any, is_first: bool) -> UpdateReport:
     if isinstance(followed, (Population, Population3D)):
         return followed.update(read.ids, read.points)
-    if isinstance(followed, PeriodicPopulation):
+    if isinstance(followed, (PeriodicPopulation, PeriodicPopulation3D)):
         return followed.update(read.ids, read.points, read.cell if cell is None else None)
     if is_first:
         followed.insert(read.points)

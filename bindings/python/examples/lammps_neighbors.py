@@ -6,7 +6,8 @@
     lammps_neighbors.py DUMP
 
 Prints a line for each step, and then one for each atom: its id and those of its neighbors. They are neighbors in space
-if the atoms differ in z, and then the box must be open; else in the plane, which is periodic where the box is.
+if the atoms differ in z, and then the box must be open, or periodic along all sides; else in the plane, which is periodic
+where the box is.
 """
 
 import sys

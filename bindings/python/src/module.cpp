@@ -9,6 +9,7 @@
 #include "bindings/python/src/Guarded_methods.h"
 #include "bindings/python/src/Guarded_subject.h"
 #include "bindings/python/src/Numpy.h"
+#include "bindings/python/src/Periodic_triangulation_3.h"
 #include "bindings/python/src/Python_settings.h"
 #include "bindings/python/src/Recording_in_python.h"
 #include "bindings/python/src/Report_in_python.h"
@@ -268,6 +269,7 @@ PYBIND11_MODULE(_core, module)
   bind_recordings(module);
   bind_triangulation(module);
   bind_triangulation_3(module);
+  bind_periodic_triangulation_3(module);
 }
 
 } // namespace python

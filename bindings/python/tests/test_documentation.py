@@ -16,7 +16,9 @@ from dynamic_delaunay import (
     DynamicDelaunay,
     DynamicDelaunay3D,
     PeriodicDelaunay,
+    PeriodicDelaunay3D,
     PeriodicPopulation,
+    PeriodicPopulation3D,
     Population,
     Population3D,
     _core,
@@ -42,7 +44,8 @@ def test_stubs_have_all_that_the_module_has():
         assert stubbed == {member for member in vars(kind) if not member.startswith("__")}
 
 
-@pytest.mark.parametrize("kind", [*ARRAYS, DynamicDelaunay3D, Population3D])
+@pytest.mark.parametrize("kind", [*ARRAYS, DynamicDelaunay3D, Population3D, PeriodicDelaunay3D,
+                                  PeriodicPopulation3D])
 def test_everything_public_is_documented(kind):
     assert inspect.getdoc(kind)
     for name, member in inspect.getmembers(kind):
@@ -77,6 +80,8 @@ def test_documented_types_and_shapes_in_space_are_those_of_the_arrays():
     points = np.random.default_rng(1).random((20, 3))
     for in_space in (DynamicDelaunay(points, changes=True), Population(np.arange(20), points, changes=True)):
         assert count_documented_arrays(in_space) == 11
+    for periodic in (PeriodicDelaunay(points), PeriodicPopulation(np.arange(20), points)):
+        assert count_documented_arrays(periodic) == 12
 
 
 def test_has_the_version_of_the_headers():

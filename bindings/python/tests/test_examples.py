@@ -103,6 +103,29 @@ def test_lammps_neighbors_in_space(tmp_path):
         assert [int(number) for number in line.split()] == [id, *sorted(indices[indptr[id] : indptr[id + 1]])]
 
 
+def test_voronoi_trajectory(tmp_path):
+    random = np.random.default_rng(1)
+    cell = np.array([(4, 0, 0), (1, 3, 0), (-0.5, 0.5, 5)])
+    fractions, text = random.random((30, 3)), ""
+    lattice = " ".join(map(repr, cell.ravel().tolist()))
+    for frame in range(3):
+        points = fractions @ cell
+        text += f'30\nLattice="{lattice}" pbc="T T T" Properties=id:I:1:pos:R:3 Frame={10 * frame}\n'
+        text += "".join(f"{id} {x!r} {y!r} {z!r}\n" for id, (x, y, z) in enumerate(points.tolist(), 100))
+        fractions = fractions + random.normal(0, 0.05, fractions.shape)
+    recording = tmp_path / "melt.xyz"
+    recording.write_text(text)
+    head, *rows = output_of("voronoi_trajectory", recording).splitlines()
+    assert head == "step id volume neighbors" and len(rows) == 3 * 30
+    rows = [row.split() for row in rows]
+    for step in ("0", "10", "20"):
+        frame = {row[1]: row for row in rows if row[0] == step}
+        assert sorted(map(int, frame)) == list(range(100, 130))
+        assert sum(float(row[2]) for row in frame.values()) == pytest.approx(60)
+        for id, row in frame.items():  # symmetric, also where images are neighbors
+            assert all(row[3:].count(other) == frame[other][3:].count(id) for other in row[3:])
+
+
 def test_table_densities(tmp_path):
     pandas = pytest.importorskip("pandas")
     x, y = (numbers.ravel() for numbers in np.meshgrid(np.arange(5.0), np.arange(4.0)))

@@ -100,7 +100,7 @@ def test_slab():
     assert not dt.edge_shifts[:, 1].any() and np.isinf(dt.areas).any()
 
 
-@pytest.mark.parametrize("cell", [(1, 0), [(1, 2), (2, 4)], (1, 2, 3), [(np.nan, 0), (0, 1)], 1.0])
+@pytest.mark.parametrize("cell", [(1, 0), [(1, 2), (2, 4)], (1, 2, 3, 4), [(np.nan, 0), (0, 1)], 1.0])
 def test_refuses_what_is_no_cell(cell):
     with pytest.raises(errors.PeriodicCellError):
         PeriodicDelaunay([(0, 0)], cell)

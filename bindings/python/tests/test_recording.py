@@ -182,9 +182,11 @@ def test_refuses_what_cannot_be_in_space(tmp_path):
         with pytest.raises(errors.RecordingError, match=wrong):
             read(tmp_path, "table.csv", text)
         assert len(read(tmp_path, "table.csv", text, dimension=2)) == 2
-    for bounds in ("pp ff ff", "ff pp ff", "ff ff pp", "pp pp pp"):
+    for bounds, sides in (("pp ff ff", "first"), ("ff pp ff", "second"), ("ff ff pp", "third"),
+                          ("pp pp ff", "first and its second")):
         dump = dump_of(5, ["1 1 1 2 3", "2 1 1 2 4"], bounds=f"{bounds}\n0 10\n0 8\n0 8")
-        wrong = "dump: is in space and periodic, and only open space is known; dimension=2 takes x and y alone$"
+        wrong = (f"dump: is in space, and has the frame 5, whose box is periodic only along its {sides} side: in "
+                 "space, it has to be so along all three sides, or along none; dimension=2 takes x and y alone$")
         with pytest.raises(errors.RecordingError, match=wrong) as refused:
             read(tmp_path, "motion.dump", dump)
         assert isinstance(refused.value, ValueError) and refused.value.line == 0
@@ -249,8 +251,9 @@ def test_tables_are_in_space_if_third_coordinates_differ():
     unknown.loc[2, "z"] = "high"
     with pytest.raises(errors.NonFiniteCoordinateError, match="^frame 1, id 4: point 0 has the coordinates"):
         list(track(unknown))
-    with pytest.raises(errors.InputValueError, match=r"^frame 0: .*it must be \(n, 2\)"):
+    with pytest.raises(errors.PeriodicCellError, match=r"^frame 0: a cell of points in space has the shape \(2,\)"):
         list(track(table, (9, 9)))
+    assert [len(frame.ids) for frame in track(table, (9, 9, 9))] == [2, 1]
 
 
 def test_tables_of_trackmate_have_spots_with_ids_of_their_own():

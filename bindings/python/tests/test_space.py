@@ -487,9 +487,9 @@ def test_tracks_trajectories():
         list(track(trajectory))
     with pytest.raises(errors.InputValueError, match=r"^frame 1: .*it must be \(n, 3\)"):
         list(track([trajectory[0], trajectory[0, :, :2]]))
-    with pytest.raises(errors.InputValueError, match=r"^frame 0: .*it must be \(n, 2\)"):
+    with pytest.raises(errors.PeriodicCellError, match=r"^frame 0: a cell of points in space has the shape \(2,\)"):
         list(track(trajectory, cell=(1, 1)))
-    with pytest.raises(errors.InputValueError, match=r"^frame 0: .*it must be \(n, 2\)"):
+    with pytest.raises(errors.PeriodicCellError, match=r"^frame 0: a cell of points in space has the shape \(2,\)"):
         list(track([(np.arange(100), trajectory[0])], cell=(1, 1)))
 
 

@@ -46,7 +46,10 @@ def test_becomes_what_its_points_are():
     class Derived(Population):
         pass
 
-    for refused in (Derived, PeriodicPopulation):
+    class DerivedPeriodic(PeriodicPopulation):
+        pass
+
+    for refused in (Derived, DerivedPeriodic):
         with pytest.raises(errors.InputValueError, match=r"\(100, 3\): it must be \(n, 2\)"):
             refused(IDS[:100], points)
     with pytest.raises(TypeError, match="Population3D.*'classifier'"):
