@@ -187,7 +187,7 @@ TEST(Files_on_the_page, run_exactly)
   }
   EXPECT_EQ(numbers[".json"], 3);
   EXPECT_EQ(numbers[".csv"], 3);
-  EXPECT_EQ(numbers[".dump"], 2);
+  EXPECT_EQ(numbers[".dump"], 3);
   EXPECT_EQ(numbers[".xyz"], 1);
 }
 
