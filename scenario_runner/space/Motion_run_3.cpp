@@ -88,7 +88,7 @@ private:
     if constexpr (std::is_same_v<Kept, Kept_motion_3>) {
       m_opponents.prepare(motion().points(), record().frame == 0 || record().population_changed);
     } else {
-      m_opponents.prepare(motion());
+      m_opponents.prepare(motion(), m_kept->triangulation());
     }
   }
   double time_insert() override { return m_opponents.time_insert(); }
