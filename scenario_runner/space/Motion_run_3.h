@@ -69,8 +69,8 @@ public:
   // The finite cells. Of points that coincide the first one is a corner.
   virtual std::vector<Shown_cell_3> cells() const = 0;
 
-  // Those of all points, in the order of the motion: in periodic space whole, in the motion's box,
-  // or whole with infinite ones. `measures` keeps its memory.
+  // Those of all points, in the order of the motion: as far as they are in the motion's box, if it
+  // has one, else whole ones, which may be infinite in open space. `measures` keeps its memory.
   virtual std::vector<Measured_cell_3>
   measured_cells(CGAL::Voronoi_cell_measures_3& measures) const = 0;
 

@@ -448,6 +448,33 @@ TEST(Run_in_periodic_space, is_in_the_plane_too)
   expect_exact_report(report, 1);
 }
 
+// BOXES ------------------------------------------------------------------------------------------
+
+// Bounds are those of the box that encloses the tilted one.
+TEST(Box_in_space, is_read_as_lammps_means_it)
+{
+  const std::string head = "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n1\nITEM: BOX BOUNDS ",
+                    atoms = "ITEM: ATOMS id xs ys zs\n1 0.25 0.5 0.75\n";
+  const std::string tilted = "xy xz yz pp pp pp\n0 13 2\n0 13 1\n0 10 3\n",
+                    leaning = "xy xz yz pp pp pp\n-3 12 -2\n1 12 -1\n0 10 -1\n",
+                    vectors = "abc origin pp pp pp\n10 0 0 -1\n2 10 1 0\n1 3 10 5\n";
+  const auto read = [&](const std::string& box) {
+    const scenario::Recorded_frame frame =
+        scenario::parse_lammps_dump("file", head + box + atoms).front();
+    return std::pair(*frame.box, Point_3{frame.points[0].x, frame.points[0].y, frame.heights[0]});
+  };
+  const std::array<bool, 3> all = {true, true, true};
+  EXPECT_EQ(read(tilted),
+            std::pair(Cell_3({{0, 0, 0}, {{{10, 0, 0}, {2, 10, 0}, {1, 3, 10}}}, all}),
+                      Point_3({4.25, 7.25, 7.5})));
+  EXPECT_EQ(read(leaning),
+            std::pair(Cell_3({{0, 2, 0}, {{{12, 0, 0}, {-2, 10, 0}, {-1, -1, 10}}}, all}),
+                      Point_3({1.25, 6.25, 7.5})));
+  EXPECT_EQ(read(vectors),
+            std::pair(Cell_3({{-1, 0, 5}, {{{10, 0, 0}, {2, 10, 1}, {1, 3, 10}}}, all}),
+                      Point_3({3.25, 7.25, 13.0})));
+}
+
 // REFUSALS ---------------------------------------------------------------------------------------
 
 std::string errors_of(const std::string& name, const std::string& text, const Words& words = {})
