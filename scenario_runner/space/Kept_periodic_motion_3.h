@@ -6,11 +6,12 @@
 
 #include "scenario_runner/space/Motion_3.h"
 #include "scenario_runner/space/Periodic_opponents_3.h"
-#include "scenario_runner/space/Periodic_population_3.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_population_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_measures_3.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 namespace run {
@@ -50,7 +51,7 @@ private:
 
   // exactly one of them exists
   std::optional<Dynamic_periodic_3> m_triangulation;
-  std::optional<Periodic_population_3<Dynamic_periodic_3>> m_population;
+  std::optional<CGAL::Dynamic_population_3<Dynamic_periodic_3, std::int64_t>> m_population;
 };
 
 } // namespace run

@@ -13,9 +13,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import as_floats, as_integer, as_list, as_rows, given, number_of_processors
+from ._checkpoints import Checkpoints
 from ._core import Group, UpdateReport3D
 from ._rows import Rows
-from .errors import PeriodicCellError, UseError
+from .errors import PeriodicCellError
 from .neighbors import NeighborList
 
 Self = TypeVar("Self", bound="_InPeriodicSpace")
@@ -83,7 +84,7 @@ def _numbers(cell: ArrayLike) -> list[float]:
     return [float(number) for number in array.flat]
 
 
-class _InPeriodicSpace(Rows, _core.PeriodicTriangulation3D):
+class _InPeriodicSpace(Checkpoints, Rows, _core.PeriodicTriangulation3D):
     """What triangulations in periodic space have in common."""
 
     _settings: dict[str, Any]
@@ -172,10 +173,17 @@ class _InPeriodicSpace(Rows, _core.PeriodicTriangulation3D):
         return twin
 
     def __reduce__(self) -> tuple[Any, ...]:
-        raise UseError(
-            f"a {type(self).__name__} cannot be pickled, as there are no checkpoints of periodic space yet: keep points "
-            "and cell, and triangulate them anew"
-        )
+        checkpoint = self.checkpoint()  # UseError if there are no settings, as __init__() was not called
+        others = {name: value for name, value in vars(self).items() if name != "_settings"}
+        return _restored, (type(self), self._settings, checkpoint), others or None
+
+
+def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> Self:
+    triangulation = kind.__new__(kind)
+    is_population = issubclass(kind, PeriodicPopulation3D)
+    triangulation._init(is_population, (1.0, 1.0, 1.0), **settings)  # the checkpoint has another cell
+    triangulation.restore(checkpoint)
+    return triangulation
 
 
 class PeriodicDelaunay3D(_InPeriodicSpace):
@@ -196,7 +204,7 @@ class PeriodicDelaunay3D(_InPeriodicSpace):
     threads : int
         Threads that share the work; 0 for all.
 
-    Every call ends with a proof by exact predicates. It has no checkpoints yet, so it cannot be pickled; copies work.
+    Every call ends with a proof by exact predicates. It is copied, pickled, saved and loaded as others.
     """
 
     def __init__(

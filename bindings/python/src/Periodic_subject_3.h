@@ -4,14 +4,15 @@
 #ifndef PYTHON_PERIODIC_SUBJECT_3_H
 #define PYTHON_PERIODIC_SUBJECT_3_H
 
+#include "bindings/common/Checkpoint_end.h"
 #include "bindings/common/Owning_subject.h"
 #include "bindings/common/Row_iterator.h"
 #include "bindings/common/Subject.h"
 #include "bindings/python/src/Errors.h"
 #include "bindings/python/src/Periodic_arrays_3.h"
-#include "scenario_runner/space/Periodic_population_3.h"
 #include "scenario_runner/Threads.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_population_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_cell_3.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -21,6 +22,7 @@
 #include <iterator>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -55,7 +57,7 @@ using Dynamic_periodic_3 = CGAL::Dynamic_periodic_Delaunay_triangulation_3<
 template <bool has_user_ids>
 using Owning_periodic_subject_3 = Owning_subject<
     Periodic_subject_3, Dynamic_periodic_3,
-    std::conditional_t<has_user_ids, run::Periodic_population_3<Dynamic_periodic_3>, void>>;
+    std::conditional_t<has_user_ids, CGAL::Dynamic_population_3<Dynamic_periodic_3>, void>>;
 
 template <bool has_user_ids>
 class Periodic_subject_of_3 : public Owning_periodic_subject_3<has_user_ids>
@@ -140,14 +142,20 @@ public:
   {
     throw std::invalid_argument("there are no queries of points in periodic space");
   }
-  std::string checkpoint() const override { throw Use_error(no_checkpoints); }
-  void restore(const std::string&) override { throw Use_error(no_checkpoints); }
+  std::string checkpoint() const override
+  {
+    std::ostringstream out;
+    owner().write_checkpoint(out);
+    return out.str();
+  }
+  void restore(const std::string& checkpoint) override
+  {
+    check_end(checkpoint);
+    std::istringstream in(checkpoint);
+    owner().read_checkpoint(in);
+  }
 
 private:
-  static constexpr const char* no_checkpoints =
-      "triangulations in periodic space have no checkpoints yet: keep points and cell, and "
-      "triangulate them anew";
-
   const Dynamic_periodic_3& certified() const
   {
     if (!dt().is_certified()) {

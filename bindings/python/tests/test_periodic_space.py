@@ -303,16 +303,24 @@ def test_population_refuses_and_changes_nothing():
     assert population.is_valid()
 
 
-def test_is_copied_and_not_pickled():
+def test_is_copied_pickled_and_saved(tmp_path):
     points = cloud(20)
     for dt in (PeriodicDelaunay(points, CELL), PeriodicPopulation(range(20), points, CELL)):
         for twin in (copy.copy(dt), copy.deepcopy(dt)):
             assert type(twin) is type(dt) and np.array_equal(twin.simplices, dt.simplices)
             twin.remove(3)
             assert 3 in dt and 3 not in twin and np.array_equal(twin.cell, dt.cell)
-        with pytest.raises(errors.UseError, match="no checkpoints of periodic space yet"):
-            pickle.dumps(dt)
-        assert not hasattr(dt, "checkpoint") and not hasattr(dt, "nearest")
+        dt.move(3, dt.points[3] + (7, 0.1, -4))
+        twin = pickle.loads(pickle.dumps(dt))
+        assert type(twin) is type(dt) and np.array_equal(twin.simplices, dt.simplices) and twin.is_valid()
+        assert np.array_equal(twin.cell, CELL) and np.array_equal(twin.points, dt.points)
+        dt.save(tmp_path / "checkpoint")
+        loaded = type(dt)()
+        loaded.load(tmp_path / "checkpoint")
+        assert np.array_equal(loaded.simplex_shifts, dt.simplex_shifts) and np.array_equal(loaded.cell, CELL)
+        with pytest.raises(errors.CheckpointError):
+            loaded.restore(dt.checkpoint()[:-9])
+        assert len(loaded) == 20
         with pytest.raises(errors.UseError):
             dt.__init__(*([points] if isinstance(dt, PeriodicDelaunay3D) else [range(20), points]))
     with pytest.raises(errors.UseError):
