@@ -211,18 +211,19 @@ TEST(Conversion_of_periodic_space, of_ties_is_what_CGAL_chooses)
     ASSERT_NO_FATAL_FAILURE(expect_right(Dynamic(face_centered, Cell(2 * side, 2 * side, 2 * side)),
                                          side < 4 ? Way::INSERTED : Way::IN_ONE_SHEET));
   }
-  // one tie among many points, which both may break alike or not
+  // one tie among many points, which both may break alike or not: a cube, or thirty points
   for (const unsigned seed : {1u, 2u, 3u, 4u, 5u, 6u}) {
     Points points;
     const Point middle(0.5, 0.5, 0.5);
     for (const Point& p : short_points(400, seed))
       if (CGAL::squared_distance(p, middle) > 0.25 * 0.25)
         points.push_back(p);
-    const double r = 0x1p-4;
-    for (const double x : {-r, r})
-      for (const double y : {-r, r})
-        for (const double z : {-r, r})
-          points.emplace_back(0.5 + x, 0.5 + y, 0.5 + z);
+    const int square = seed % 2 == 0 ? 3 : 9;
+    for (int x = -3; x <= 3; ++x)
+      for (int y = -3; y <= 3; ++y)
+        for (int z = -3; z <= 3; ++z)
+          if (x * x + y * y + z * z == square)
+            points.emplace_back(0.5 + x * 0x1p-4, 0.5 + y * 0x1p-4, 0.5 + z * 0x1p-4);
     ASSERT_NO_FATAL_FAILURE(expect_right(Dynamic(points, Cell(1, 1, 1)), Way::IN_ONE_SHEET));
   }
 }

@@ -328,6 +328,21 @@ TEST(Queries_in_periodic_space, are_exact_where_doubles_are_not)
   }
 }
 
+// Half way between two images of the only point, as nearly as doubles say.
+TEST(Queries_in_periodic_space, are_exact_far_away)
+{
+  for (const Cell* cell : {&triclinic, &skew, &mirrored}) {
+    const Dynamic dt(Points{{0.1, 0.2, 0.3}}, *cell);
+    Points places;
+    for (int i = 1; i < 40; ++i)
+      for (const int far : {1, 1000, 100000}) {
+        const Point p = combination(*cell, far * i / 40 + 0.5, far * 3, -far * i / 40);
+        places.emplace_back(p.x() + 0.1, p.y() + 0.2, p.z() + 0.3);
+      }
+    ASSERT_NO_FATAL_FAILURE(expect_answers(dt, Queries(dt), places, {0.3}));
+  }
+}
+
 TEST(Queries_in_periodic_space, may_be_of_any_scale)
 {
   for (const double scale : {1e-40, 1e40}) {
