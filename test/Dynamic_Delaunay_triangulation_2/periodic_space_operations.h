@@ -242,9 +242,7 @@ private:
   {
     Dynamic copy(m_dt);
     copy.swap(m_dt);
-    if (!m_points.empty()) {
-      EXPECT_TRUE(m_dt.certify());
-    }
+    EXPECT_TRUE(m_dt.certify());
     EXPECT_EQ(m_dt.mend().flips, 0u);
   }
 

@@ -99,6 +99,22 @@ TEST(Periodic_space, may_have_any_number_of_points_in_any_cell)
     }
 }
 
+TEST(Periodic_space, may_be_empty)
+{
+  Dynamic dt(Cell(1, 1, 1));
+  for (int n = 0; n < 2; ++n) {
+    EXPECT_TRUE(dt.certify());
+    EXPECT_TRUE(dt.is_certified());
+    EXPECT_TRUE(dt.is_valid(true));
+    EXPECT_EQ(dt.number_of_cells(), 0u);
+    EXPECT_TRUE(dt.update(std::vector<Point>(), Cell(2, 1, 1)).certified);
+    dt.remove(dt.insert(Point(0.5, 0.5, 0.5)));
+    dt.update(std::vector<Point>(1, Point(0, 0, 0)), Cell(1, 1, 1));
+    EXPECT_TRUE(dt.certify());
+    dt = Dynamic(Cell(1, 2, 1));
+  }
+}
+
 TEST(Periodic_space, may_be_filled_by_a_lattice)
 {
   for (const int side : {1, 2, 3, 5}) {
