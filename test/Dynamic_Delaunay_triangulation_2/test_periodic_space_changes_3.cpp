@@ -235,20 +235,30 @@ TEST(Visitors_in_periodic_space, lead_from_former_edges_to_present_ones)
 // Tells facets, too, in a map of its own.
 struct Facets_visitor : CGAL::Delaunay_update_visitor_base_3
 {
-  using Facet = std::pair<std::array<std::size_t, 3>, std::array<Shift, 3>>;
+  using Facet = std::vector<int>; // ids and shifts
+
+  static Facet facet(const std::array<std::size_t, 3>& ids, const std::array<Shift, 3>& shifts)
+  {
+    Facet numbers;
+    for (std::size_t i = 0; i < 3; ++i) {
+      numbers.push_back(int(ids[i]));
+      numbers.insert(numbers.end(), shifts[i].begin(), shifts[i].end());
+    }
+    return numbers;
+  }
 
   template <class Dynamic>
   void after_facet_removal(const Dynamic&, const std::array<std::size_t, 3>& ids,
                            const std::array<Shift, 3>& shifts)
   {
-    EXPECT_EQ(facets.erase({ids, shifts}), 1u);
+    EXPECT_EQ(facets.erase(facet(ids, shifts)), 1u);
   }
   template <class Dynamic>
   void after_facet_creation(const Dynamic&, const std::array<std::size_t, 3>& ids,
                             const std::array<Shift, 3>& shifts)
   {
     EXPECT_EQ(shifts[0], Shift());
-    EXPECT_TRUE(facets.insert({ids, shifts}).second);
+    EXPECT_TRUE(facets.insert(facet(ids, shifts)).second);
   }
 
   std::set<Facet> facets;
