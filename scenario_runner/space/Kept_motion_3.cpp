@@ -9,8 +9,6 @@
 #include <boost/iterator/transform_iterator.hpp>
 #include <boost/property_map/function_property_map.hpp>
 
-#include <stdexcept>
-
 namespace run {
 
 namespace {
@@ -26,21 +24,6 @@ auto end_of(const scenario::Motion_3& motion)
 }
 
 } // namespace
-
-Any_policy_3 make_policy_3(const Policy_choice& choice)
-{
-  if (choice.name == "always_static") {
-    return Any_policy_3(CGAL::Always_static_policy_2());
-  }
-  if (choice.name == "key_frames") {
-    return Any_policy_3(CGAL::Key_frame_policy_2(*choice.parameter));
-  }
-  if (choice.name != "always_dynamic") {
-    throw std::invalid_argument("--policy " + choice.name +
-                                ": is for the plane, and the motion is in space");
-  }
-  return Any_policy_3();
-}
 
 Kept_motion_3::Kept_motion_3(const scenario::Motion_3& motion, const Any_policy_3& policy)
 {

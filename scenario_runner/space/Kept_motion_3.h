@@ -4,15 +4,11 @@
 #ifndef SCENARIO_RUNNER_SPACE_KEPT_MOTION_3_H
 #define SCENARIO_RUNNER_SPACE_KEPT_MOTION_3_H
 
-#include "scenario_runner/Method_choice.h"
 #include "scenario_runner/space/Motion_3.h"
+#include "scenario_runner/space/Policy_3.h"
 #include "scenario_runner/space/Static_triangulation_3.h"
 #include "scenario_runner/Threads.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_static_policy_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Chosen_policy_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Key_frame_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_population_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_measures_3.h>
@@ -25,12 +21,6 @@
 #include <vector>
 
 namespace run {
-
-using Any_policy_3 = CGAL::Chosen_policy_2<CGAL::Always_dynamic_policy_2,
-                                           CGAL::Always_static_policy_2, CGAL::Key_frame_policy_2>;
-
-// \throws std::invalid_argument for a policy that is for the plane alone
-Any_policy_3 make_policy_3(const Policy_choice& choice);
 
 using Dynamic_3 =
     CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel,

@@ -31,9 +31,10 @@ auto points_of(const scenario::Motion_3& motion)
 
 } // namespace
 
-Kept_periodic_motion_3::Kept_periodic_motion_3(const scenario::Motion_3& motion)
+Kept_periodic_motion_3::Kept_periodic_motion_3(const scenario::Motion_3& motion,
+                                               const Any_policy_3& policy)
 {
-  Dynamic_periodic_3 empty(periodic_cell(*motion.cell()));
+  Dynamic_periodic_3 empty(periodic_cell(*motion.cell()), policy);
   if (motion.has_fixed_population()) {
     m_triangulation.emplace(std::move(empty));
     m_triangulation->insert(points_of(motion));

@@ -23,7 +23,7 @@ class Kept_periodic_motion_3
 public:
   using Opponents = Periodic_opponents_3;
 
-  explicit Kept_periodic_motion_3(const scenario::Motion_3& motion);
+  Kept_periodic_motion_3(const scenario::Motion_3& motion, const Any_policy_3& policy);
 
   CGAL::Update_report_3 update(const scenario::Motion_3& motion);
 

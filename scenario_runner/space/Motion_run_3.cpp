@@ -108,11 +108,7 @@ std::unique_ptr<Motion_run_3> make_motion_run_3(scenario::Motion_3& motion,
   if (!motion.cell()) {
     return std::make_unique<Motion_run_of_3<Kept_motion_3>>(motion, its_policy);
   }
-  if (policy.name != "always_dynamic") {
-    throw std::invalid_argument("--policy " + policy.name +
-                                ": is for open space, and the motion is in periodic space");
-  }
-  return std::make_unique<Motion_run_of_3<Kept_periodic_motion_3>>(motion);
+  return std::make_unique<Motion_run_of_3<Kept_periodic_motion_3>>(motion, its_policy);
 }
 
 void Motion_run_3::check_first_frame()

@@ -106,7 +106,7 @@ private:
 };
 
 // In open space, or in periodic space if the motion has a cell.
-// \throws std::invalid_argument for a policy that is not for such a space
+// \throws std::invalid_argument for a policy that is for the plane alone
 std::unique_ptr<Motion_run_3> make_motion_run_3(scenario::Motion_3& motion,
                                                 const Policy_choice& policy);
 

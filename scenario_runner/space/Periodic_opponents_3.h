@@ -5,6 +5,7 @@
 #define SCENARIO_RUNNER_SPACE_PERIODIC_OPPONENTS_3_H
 
 #include "scenario_runner/space/Motion_3.h"
+#include "scenario_runner/space/Policy_3.h"
 #include "scenario_runner/space/Static_triangulation_3.h"
 #include "scenario_runner/Threads.h"
 
@@ -19,7 +20,8 @@
 namespace run {
 
 using Dynamic_periodic_3 = CGAL::Dynamic_periodic_Delaunay_triangulation_3<
-    CGAL::Exact_predicates_inexact_constructions_kernel, CGAL::With_concurrency_2<Concurrency_tag>>;
+    CGAL::Exact_predicates_inexact_constructions_kernel, CGAL::With_concurrency_2<Concurrency_tag>,
+    CGAL::With_policy_2<Any_policy_3>>;
 
 // Of a motion that is periodic along all sides.
 inline CGAL::Periodic_cell_3 periodic_cell(const scenario::Cell_3& cell)

@@ -271,13 +271,20 @@ TEST(Run_in_periodic_space, reports_what_it_did)
   EXPECT_TRUE(contains(outcome.output, "torus")) << outcome.output;
 }
 
-TEST(Run_in_periodic_space, has_no_policy)
+TEST(Run_in_periodic_space, lets_a_policy_choose_rebuilds)
 {
-  const Outcome outcome = run_program({"brownian_periodic_3", "--policy", "key_frames:3"});
+  const auto rebuilds = [](const std::string& policy) {
+    const auto report =
+        report_of({"brownian_periodic_3", "--points", "200", "--frames", "6", "--policy", policy});
+    EXPECT_EQ(report["policy"], policy.substr(0, policy.find(':')));
+    return report["rebuilds"].get<int>();
+  };
+  EXPECT_EQ(rebuilds("always_static"), 6);
+  EXPECT_EQ(rebuilds("key_frames:3"), 2);
+  EXPECT_EQ(rebuilds("always_dynamic"), 0);
+  const Outcome outcome = run_program({"brownian_periodic_3", "--policy", "hybrid"});
   EXPECT_FALSE(outcome.succeeded);
-  EXPECT_TRUE(contains(outcome.errors, "--policy key_frames: is for open space, and the motion is "
-                                       "in periodic space"))
-      << outcome.errors;
+  EXPECT_TRUE(contains(outcome.errors, "--policy hybrid: is for the plane")) << outcome.errors;
 }
 
 TEST(Run_in_periodic_space, takes_threads_and_seed)

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import importlib
 from collections.abc import Iterable, Iterator
 from typing import Any, NamedTuple, Optional, Union, cast
 
@@ -225,8 +226,8 @@ def _frames_of_table(table: Any) -> Iterator[_Read]:
 
 def _with_progress(trajectory: Iterable[Any]) -> Iterable[Any]:
     try:
-        from tqdm.auto import tqdm  # type: ignore[import]
+        tqdm: Any = importlib.import_module("tqdm.auto")  # with and without stubs
     except ImportError:
         return trajectory
-    shown: Iterable[Any] = tqdm(trajectory)  # which asks for the length
+    shown: Iterable[Any] = tqdm.tqdm(trajectory)  # which asks for the length
     return shown

@@ -70,9 +70,16 @@ public:
   /// \name Creation
   /// @{
 
-  /// creates a population without points.
+  /// creates a population without points, in open space.
+  template <class D = Dynamic, class = std::enable_if_t<std::is_default_constructible_v<D>>>
+  Dynamic_population_3()
+    : Dynamic_population_3(Dynamic())
+  {
+  }
+
+  /// creates a population without points. In periodic space the triangulation says which cell.
   /// \pre `triangulation` has no points.
-  explicit Dynamic_population_3(Dynamic triangulation = Dynamic())
+  explicit Dynamic_population_3(Dynamic triangulation)
     : m_triangulation(std::move(triangulation))
   {
     CGAL_precondition(m_triangulation.number_of_points() == 0);
