@@ -8,12 +8,15 @@
 #include "bindings/common/Row_iterator.h"
 #include "bindings/common/Subject.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -69,7 +72,16 @@ private:
     const auto& p = m_dt.point(id);
     double x = p.x() - query_point.x(), y = p.y() - query_point.y();
     if constexpr (dimension == 3) {
-      return std::hypot(x, y, p.z() - query_point.z());
+      double z = p.z() - query_point.z();
+      if constexpr (is_periodic_triangulation<Dynamic>) {
+        for (std::size_t i = 0; i < dimension; ++i) {
+          const auto& vector = m_dt.cell().vector(i);
+          x += shift[i] * vector[0];
+          y += shift[i] * vector[1];
+          z += shift[i] * vector[2];
+        }
+      }
+      return std::hypot(x, y, z);
     } else if constexpr (is_periodic_triangulation<Dynamic>) {
       const auto& cell = m_dt.cell();
       x += shift[0] * cell.ax() + shift[1] * cell.bx();
@@ -134,6 +146,19 @@ inline double square_of_radius(double radius)
   const bool is_rounded_down = std::fma(radius, radius, -square) > 0;
   const bool is_tiny = radius > 0 && square < least_exact;
   return is_rounded_down || is_tiny ? std::nextafter(square, largest) : square;
+}
+
+// Refuses a radius with which arrays of 32 bits could not hold what is found, where about so many
+// images of each point are within it.
+inline void check_number_of_images(double images, std::size_t points, std::size_t query_points)
+{
+  constexpr double most = (std::numeric_limits<std::int32_t>::max)();
+  const double found = images * double(points) * double(query_points);
+  if (found > 2 * most) { // well above, since their numbers vary
+    throw std::invalid_argument("the radius is so large, compared to the cell, that about " +
+                                std::to_string(std::llround((std::min)(found, 1e18))) +
+                                " images would be found: an array holds at most 2147483647");
+  }
 }
 
 // Where the list of each query point begins; rows, distances and shifts of the points within the

@@ -15,38 +15,21 @@
 #include <CGAL/enum.h>
 #include <CGAL/Periodic_cell_2.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iterator>
-#include <limits>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <utility>
 #include <vector>
 
 namespace bindings {
 
-// Refuses a radius with which arrays of 32 bits could not hold what is found. In the plane each
-// point is found once for each query point at most.
-template <class Dynamic>
-void check_number_of_images(const Dynamic& dt, std::size_t query_points, double radius)
+// About how many images of a point are in a circle.
+inline double images_within(const CGAL::Periodic_cell_2& cell, double radius)
 {
-  if constexpr (is_periodic_triangulation<Dynamic>) {
-    constexpr double most = (std::numeric_limits<std::int32_t>::max)(), pi = 3.14159;
-    const CGAL::Periodic_cell_2& cell = dt.cell();
-    const double length = std::hypot(cell.ax(), cell.ay());
-    const double area = std::abs(cell.ax() * cell.by() - cell.ay() * cell.bx());
-    const double images = cell.is_slab() ? 2 * radius / length : pi * radius * (radius / area);
-    const double found = images * double(dt.number_of_points()) * double(query_points);
-    if (found > 2 * most) { // well above, since the images in a circle vary
-      throw std::invalid_argument("the radius is so large, compared to the cell, that about " +
-                                  std::to_string(std::llround((std::min)(found, 1e18))) +
-                                  " images would be found: an array holds at most 2147483647");
-    }
-  }
+  constexpr double pi = 3.14159;
+  const double length = std::hypot(cell.ax(), cell.ay());
+  const double area = std::abs(cell.ax() * cell.by() - cell.ay() * cell.bx());
+  return cell.is_slab() ? 2 * radius / length : pi * radius * (radius / area);
 }
 
 // Where the list of each query point begins; rows, weights and shifts.
@@ -141,7 +124,10 @@ std::vector<Array> answer_arrays(const Dynamic& dt, const Row_numbers& rows,
   case Query::NEAREST:
     return nearest_arrays<Queries>(dt, rows, query_points);
   case Query::WITHIN:
-    check_number_of_images(dt, question.query_points.size, question.extent);
+    if constexpr (is_periodic_triangulation<Dynamic>) {
+      check_number_of_images(images_within(dt.cell(), question.extent), dt.number_of_points(),
+                             question.query_points.size);
+    }
     return within_arrays<Queries>(dt, rows, query_points, question.extent);
   case Query::NATURAL_WEIGHTS:
     weights.compute_natural_neighbor(dt, query_points.begin(), query_points.end());

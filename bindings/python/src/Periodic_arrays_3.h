@@ -11,12 +11,22 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_neighbor_lists_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_shift_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_measures_3.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
 #include <vector>
+
+namespace bindings {
+
+template <class... Parameters>
+constexpr bool
+    is_periodic_triangulation<CGAL::Dynamic_periodic_Delaunay_triangulation_3<Parameters...>> =
+        true;
+
+} // namespace bindings
 
 // Arrays of a triangulation in periodic space, in linear time.
 namespace python {
