@@ -68,7 +68,8 @@ class Places:
         space (m, 3) or (3,). Decided exactly. Cost: about n**(1/3) for each query point, in space n**(1/4); less if it
         is near the last one.
 
-        NonFiniteCoordinateError if a query point is not finite; its ``id`` is the number of the query point."""
+        NonFiniteCoordinateError if a query point is not finite, and in PeriodicDelaunay3D PeriodicRangeError if it is
+        2**20 cells or more from the origin; their ``id`` is the number of the query point."""
         return NearestPoints(*self._answer(Query.NEAREST, as_rows(query_points, self._coordinates), 0.0))
 
     def within(self: Asked, query_points: ArrayLike, radius: float) -> PointsWithin:
@@ -81,8 +82,9 @@ class Places:
         ``within(triangulation.points, radius)``, each finds itself as well. Cost: that of ``nearest()``, plus the
         number of points that are found.
 
-        NonFiniteCoordinateError if a query point is not finite; InputValueError if the radius is negative or NaN, or
-        so large, compared to a periodic cell, that 32 bits could not count the images."""
+        NonFiniteCoordinateError and PeriodicRangeError as of ``nearest()``; InputValueError if the radius is negative
+        or NaN, or so large, compared to a periodic cell, that 32 bits could not count the images; ParameterError if it
+        is more than 256 times as large as a periodic cell in space is thick."""
         extent = as_extent("the radius", radius)
         (indptr, indices, distances, shifts), shape = lists(self, Query.WITHIN, query_points, extent)
         return PointsWithin(indptr, indices, distances, shifts, shape)

@@ -15,6 +15,7 @@ from . import _core
 from ._arguments import as_floats, as_integer, as_list, as_rows, given, number_of_processors
 from ._checkpoints import Checkpoints
 from ._core import Group, UpdateReport3D
+from ._places import Places
 from ._rows import Rows
 from .errors import PeriodicCellError
 from .neighbors import NeighborList
@@ -84,10 +85,11 @@ def _numbers(cell: ArrayLike) -> list[float]:
     return [float(number) for number in array.flat]
 
 
-class _InPeriodicSpace(Checkpoints, Rows, _core.PeriodicTriangulation3D):
+class _InPeriodicSpace(Checkpoints, Places, Rows, _core.PeriodicTriangulation3D):
     """What triangulations in periodic space have in common."""
 
     _settings: dict[str, Any]
+    _coordinates = 3
 
     def __new__(cls: type[Self], *_arguments: Any, **_named: Any) -> Self:
         self = super().__new__(cls)

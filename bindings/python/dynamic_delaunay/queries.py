@@ -23,8 +23,8 @@ class NearestPoints(NamedTuple):
     distances: NDArray[np.float64]
     """float64 (m,): how far it is; infinite if there are no points"""
     shifts: NDArray[np.int32]
-    """int32 (m, 2): the shift of its image, relative to the query point as it is given; 0 in the plane, and in space,
-    where it is (m, 3)"""
+    """int32 (m, 2), in space (m, 3): the shift of its image, relative to the query point as it is given; 0 where space
+    is not periodic"""
 
 
 class PointsWithin(NamedTuple):
@@ -39,8 +39,8 @@ class PointsWithin(NamedTuple):
     distances: NDArray[np.float64]
     """float64 (found,): how far they are"""
     shifts: NDArray[np.int32]
-    """int32 (found, 2): the shifts of their images, relative to the query point as it is given; 0 in the plane, and in
-    space, where they are (found, 3)"""
+    """int32 (found, 2), in space (found, 3): the shifts of their images, relative to the query point as it is given; 0
+    where space is not periodic"""
     shape: tuple[int, int]
     """the numbers of query points and of rows"""
 
