@@ -8,6 +8,9 @@
 #include "bindings/common/Subject.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_edge_changes_visitor_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_shift_3.h>
+#include <CGAL/Periodic_shift_2.h>
 
 #include <algorithm>
 #include <array>
@@ -22,11 +25,11 @@
 namespace bindings {
 
 // An edge that came or went, by the ids that are shown to the user.
-template <class Id>
+template <class Id, class Shift>
 struct Changed_edge
 {
   Id i, j;
-  CGAL::Periodic_shift_2 shift; // zeros where space is not periodic
+  Shift shift; // zeros where space is not periodic
 
   friend bool operator<(const Changed_edge& e, const Changed_edge& f)
   {
@@ -34,61 +37,82 @@ struct Changed_edge
   }
 };
 
-template <class Id>
-Changed_edge<Id> in_order(const Changed_edge<Id>& edge)
+template <class Id, class Shift>
+Changed_edge<Id, Shift> in_order(Changed_edge<Id, Shift> edge)
 {
-  return edge.j < edge.i ? Changed_edge<Id>{edge.j, edge.i, {-edge.shift[0], -edge.shift[1]}}
-                         : edge;
+  if (edge.j < edge.i) {
+    std::swap(edge.i, edge.j);
+    for (int& number : edge.shift) {
+      number = -number;
+    }
+  }
+  return edge;
 }
 
-// `edge` is a pair, or an array of two ids.
-template <class Id, class Edge, class Shown_id>
-Changed_edge<Id> changed_edge(const Edge& edge, const Shown_id& shown_id)
+// The edges of visitors: pairs, or arrays of two ids, where space is not periodic.
+template <class Edge>
+CGAL::Periodic_shift_2 shift_of(const Edge&)
 {
-  return in_order(
-      Changed_edge<Id>{shown_id(std::get<0>(edge)), shown_id(std::get<1>(edge)), {0, 0}});
+  return {0, 0};
 }
-template <class Id, class Shown_id>
-Changed_edge<Id> changed_edge(const CGAL::Periodic_edge_changes_visitor_2::Edge& edge,
-                              const Shown_id& shown_id)
+inline CGAL::Periodic_shift_2 shift_of(const CGAL::Periodic_edge_changes_visitor_2::Edge& edge)
 {
-  return in_order(Changed_edge<Id>{shown_id(edge.i), shown_id(edge.j), edge.shift});
+  return edge.shift;
+}
+inline CGAL::Periodic_shift_3 shift_of(const CGAL::Periodic_edge_changes_visitor_3::Edge& edge)
+{
+  return edge.shift;
+}
+
+template <class Edge>
+std::array<std::size_t, 2> ends_of(const Edge& edge)
+{
+  return {std::size_t(std::get<0>(edge)), std::size_t(std::get<1>(edge))};
+}
+inline std::array<std::size_t, 2> ends_of(const CGAL::Periodic_edge_changes_visitor_2::Edge& edge)
+{
+  return {edge.i, edge.j};
+}
+inline std::array<std::size_t, 2> ends_of(const CGAL::Periodic_edge_changes_visitor_3::Edge& edge)
+{
+  return {edge.i, edge.j};
 }
 
 // In ascending order.
-template <class Id, class Edges, class Shown_id>
-std::vector<Changed_edge<Id>> changed_edges(const Edges& edges, const Shown_id& shown_id)
+template <class Id, class Edge, class Shown_id>
+auto changed_edges(const std::vector<Edge>& edges, const Shown_id& shown_id)
 {
-  std::vector<Changed_edge<Id>> changed;
+  using Shift = decltype(shift_of(std::declval<const Edge&>()));
+  std::vector<Changed_edge<Id, Shift>> changed;
   changed.reserve(edges.size());
-  for (const auto& edge : edges) {
-    changed.push_back(changed_edge<Id>(edge, shown_id));
+  for (const Edge& edge : edges) {
+    const auto [i, j] = ends_of(edge);
+    changed.push_back(in_order(Changed_edge<Id, Shift>{shown_id(i), shown_id(j), shift_of(edge)}));
   }
   std::sort(changed.begin(), changed.end());
   return changed;
 }
 
 // A point may leave and come back in one call, when a checkpoint is read.
-template <class Id>
-std::vector<Changed_edge<Id>> without(const std::vector<Changed_edge<Id>>& edges,
-                                      const std::vector<Changed_edge<Id>>& others)
+template <class Edge>
+std::vector<Edge> without(const std::vector<Edge>& edges, const std::vector<Edge>& others)
 {
-  std::vector<Changed_edge<Id>> left;
+  std::vector<Edge> left;
   std::set_difference(edges.begin(), edges.end(), others.begin(), others.end(),
                       std::back_inserter(left));
   return left;
 }
 
-template <class Id>
-std::array<Array, 2> arrays_of(const std::vector<Changed_edge<Id>>& edges)
+template <class Id, class Shift>
+std::array<Array, 2> arrays_of(const std::vector<Changed_edge<Id, Shift>>& edges)
 {
   std::vector<Id> ids;
   std::vector<std::int32_t> shifts;
   for (const auto& [i, j, shift] : edges) {
     ids.insert(ids.end(), {i, j});
-    shifts.insert(shifts.end(), {shift[0], shift[1]});
+    shifts.insert(shifts.end(), shift.begin(), shift.end());
   }
-  return {{{std::move(ids), {2}}, {std::move(shifts), {2}}}};
+  return {{{std::move(ids), {2}}, {std::move(shifts), {std::tuple_size_v<Shift>}}}};
 }
 
 // Created edges, removed edges, and the shifts of both, which are zeros where space is not

@@ -6,6 +6,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Edge_changes_visitor_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_edge_changes_visitor_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -63,6 +64,19 @@ public:
     }
   }
 
+  template <class Dynamic, class... Translation>
+  void after_translation(const Dynamic& dt, const Translation&... translation)
+  {
+    m_is_told = true;
+    Visitor::after_translation(dt, translation...);
+  }
+  template <class Dynamic, class Multiples>
+  void after_cell_exchange(const Dynamic& dt, const Multiples& multiples)
+  {
+    m_is_told = true;
+    Visitor::after_cell_exchange(dt, multiples);
+  }
+
   template <class Dynamic, class... Edge>
   void after_edge_removal(const Dynamic& dt, const Edge&... edge)
   {
@@ -109,7 +123,9 @@ private:
   static constexpr bool is_planar = std::is_base_of_v<CGAL::Edge_changes_visitor_2, Visitor>;
   // In space, what a call has changed before memory ran out is told after the next one, unless some
   // of it was told already.
-  static constexpr bool tells_later = std::is_base_of_v<CGAL::Edge_changes_visitor_3, Visitor>;
+  static constexpr bool tells_later =
+      std::is_base_of_v<CGAL::Edge_changes_visitor_3, Visitor> ||
+      std::is_base_of_v<CGAL::Periodic_edge_changes_visitor_3, Visitor>;
 
   template <class Dynamic>
   void note_removal([[maybe_unused]] const Dynamic& dt, std::size_t i, std::size_t j)

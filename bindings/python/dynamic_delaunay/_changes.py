@@ -33,6 +33,21 @@ def recorded(triangulation: Recording) -> tuple[NDArray[Any], ...]:
     return triangulation._arrays(Group.CHANGES)
 
 
+class ChangedEdgeShifts:
+    """Of edges in periodic space; the shifts are those of the second ends."""
+
+    @property
+    def created_edge_shifts(self: Recording) -> NDArray[np.int32]:
+        """int32 (k, d): the shifts of ``created_edges``, in the plane with two numbers, in space with three."""
+        return recorded(self)[2]
+
+    @property
+    def removed_edge_shifts(self: Recording) -> NDArray[np.int32]:
+        """int32 (k, d): the shifts of ``removed_edges``, as they would be called now, in the plane with two numbers, in
+        space with three."""
+        return recorded(self)[3]
+
+
 class ChangedEdges:
     """Of points with the ids 0, 1, 2, ..."""
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import are_in_space, as_floats, as_index, as_integer, as_list, as_rows, given, number_of_processors
-from ._changes import ChangedEdges, ChangedEdgesByIds, checked_changes, recorded
+from ._changes import ChangedEdges, ChangedEdgesByIds, ChangedEdgeShifts, checked_changes
 from ._checkpoints import Checkpoints
 from ._core import ClassifierFrame, Group, Query, UpdateReport
 from ._places import Places, as_extent, lists
@@ -288,7 +288,7 @@ class _Planar(ScipyNames, _Triangulation):
         return CellMeasures(*self._clipped_cells(*sides))
 
 
-class _Periodic(_Triangulation):
+class _Periodic(ChangedEdgeShifts, _Triangulation):
     """What triangulations of a periodic space have in common."""
 
     @property
@@ -312,16 +312,6 @@ class _Periodic(_Triangulation):
     def neighbor_shifts(self) -> NDArray[np.int32]:
         """int32 (pairs, 2): the shift of each neighbor in ``indices``."""
         return self._arrays(Group.NEIGHBOR_LISTS)[2]
-
-    @property
-    def created_edge_shifts(self) -> NDArray[np.int32]:
-        """int32 (k, 2): the shifts of ``created_edges``."""
-        return recorded(self)[2]
-
-    @property
-    def removed_edge_shifts(self) -> NDArray[np.int32]:
-        """int32 (k, 2): the shifts of ``removed_edges``, as they would be called now."""
-        return recorded(self)[3]
 
 
 class _ByNumbers(ChangedEdges, _Triangulation):
@@ -426,7 +416,7 @@ def _are_periodic_in_space(names: tuple[str, ...], arguments: tuple[Any, ...], n
 class PeriodicDelaunay(_ByNumbers, _Periodic, _PeriodicByShape):
     """The Delaunay triangulation of moving points in a periodic cell, which may change with every frame. Of points
     (n, 3), or of a cell in space, (3,) or (3, 3), it becomes a PeriodicDelaunay3D, which of the settings has
-    ``threads``.
+    ``changes`` and ``threads``.
 
     It is of one sheet, and exact: n points have 3n edges and 2n triangles. An edge goes from a point to the image of
     another one by a shift (i, j), which is moved by i times the first vector of the cell and j times the second one.
@@ -522,7 +512,7 @@ class Population(_ByIds, _Planar, _ByShape):
 class PeriodicPopulation(_ByIds, _Periodic, _PeriodicByShape):
     """A Population in a periodic cell: parameters are the ids, int (n,), the points, float (n, 2), the cell, as of
     PeriodicDelaunay, and those of DynamicDelaunay. Of points (n, 3), or of a cell in space, it becomes a
-    PeriodicPopulation3D, which of the settings has ``threads``."""
+    PeriodicPopulation3D, which of the settings has ``changes`` and ``threads``."""
 
     def __init__(
         self,

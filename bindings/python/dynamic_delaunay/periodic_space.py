@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _core
 from ._arguments import as_floats, as_integer, as_list, as_rows, given, number_of_processors
+from ._changes import ChangedEdges, ChangedEdgesByIds, ChangedEdgeShifts, checked_changes
 from ._checkpoints import Checkpoints
 from ._core import Group, UpdateReport3D
 from ._places import Places
@@ -85,7 +86,7 @@ def _numbers(cell: ArrayLike) -> list[float]:
     return [float(number) for number in array.flat]
 
 
-class _InPeriodicSpace(Checkpoints, Places, Rows, _core.PeriodicTriangulation3D):
+class _InPeriodicSpace(ChangedEdgeShifts, Checkpoints, Places, Rows, _core.PeriodicTriangulation3D):
     """What triangulations in periodic space have in common."""
 
     _settings: dict[str, Any]
@@ -96,10 +97,11 @@ class _InPeriodicSpace(Checkpoints, Places, Rows, _core.PeriodicTriangulation3D)
         _core.PeriodicTriangulation3D.__init__(self)  # so that there is something, whatever a derived class does
         return self
 
-    def _init(self, population: bool, cell: ArrayLike, threads: int) -> None:
-        number = as_integer("threads", threads, 2**31)
-        self._start(number or number_of_processors(), population, _numbers(cell))
-        self._settings = dict(threads=number)
+    def _init(self, cell: ArrayLike, settings: dict[str, Any]) -> None:
+        threads = as_integer("threads", settings["threads"], 2**31)
+        settings = dict(threads=threads, changes=checked_changes(settings["changes"]))
+        self._start(threads or number_of_processors(), settings["changes"], self._has_user_ids, _numbers(cell))
+        self._settings = settings
 
     @property
     def cell(self) -> NDArray[np.float64]:
@@ -182,13 +184,12 @@ class _InPeriodicSpace(Checkpoints, Places, Rows, _core.PeriodicTriangulation3D)
 
 def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> Self:
     triangulation = kind.__new__(kind)
-    is_population = issubclass(kind, PeriodicPopulation3D)
-    triangulation._init(is_population, (1.0, 1.0, 1.0), **settings)  # the checkpoint has another cell
+    triangulation._init((1.0, 1.0, 1.0), settings)  # the checkpoint has another cell
     triangulation.restore(checkpoint)
     return triangulation
 
 
-class PeriodicDelaunay3D(_InPeriodicSpace):
+class PeriodicDelaunay3D(ChangedEdges, _InPeriodicSpace):
     """The Delaunay triangulation of moving points in a periodic cell in space, which ``PeriodicDelaunay(points, cell)``
     makes of points (n, 3), or of a cell in space. The cell may change with every frame.
 
@@ -203,6 +204,8 @@ class PeriodicDelaunay3D(_InPeriodicSpace):
         Positions, wrapped or not.
     cell : array_like
         (3,) the sides of a box; (3, 3) three vectors, a row each, at any angles.
+    changes : bool
+        Whether to record created and removed edges. That costs time for each tetrahedron that changes.
     threads : int
         Threads that share the work; 0 for all.
 
@@ -210,9 +213,14 @@ class PeriodicDelaunay3D(_InPeriodicSpace):
     """
 
     def __init__(
-        self, points: Optional[ArrayLike] = None, cell: ArrayLike = (1.0, 1.0, 1.0), *, threads: int = 1
+        self,
+        points: Optional[ArrayLike] = None,
+        cell: ArrayLike = (1.0, 1.0, 1.0),
+        *,
+        changes: bool = False,
+        threads: int = 1,
     ) -> None:
-        self._init(False, cell, threads)
+        self._init(cell, dict(changes=changes, threads=threads))
         if points is not None:
             self._insert(points, None)
 
@@ -235,14 +243,15 @@ class PeriodicDelaunay3D(_InPeriodicSpace):
         return self._move(as_list(ids), as_rows(points, 3))
 
 
-class PeriodicPopulation3D(_InPeriodicSpace):
+class PeriodicPopulation3D(ChangedEdgesByIds, _InPeriodicSpace):
     """Points in a periodic cell in space that come and go, by any integers of 64 bits as ids, which
     ``PeriodicPopulation(ids, points, cell)`` makes of points (n, 3), or of a cell in space.
 
     Arrays have a row for each point: row k is the point ``ids[k]``. So ``population.ids[population.edges]`` has the
     edges by ids. Rows change when points come or go.
 
-    Parameters are the ids, int (n,), the points, float (n, 3), and those of PeriodicDelaunay3D.
+    Parameters are the ids, int (n,), the points, float (n, 3), and those of PeriodicDelaunay3D. With ``changes=True``
+    each call also looks up all ids.
     """
 
     _has_user_ids = True
@@ -253,9 +262,10 @@ class PeriodicPopulation3D(_InPeriodicSpace):
         points: Optional[ArrayLike] = None,
         cell: ArrayLike = (1.0, 1.0, 1.0),
         *,
+        changes: bool = False,
         threads: int = 1,
     ) -> None:
-        self._init(True, cell, threads)
+        self._init(cell, dict(changes=changes, threads=threads))
         if ids is not None or points is not None:
             self._update(given("points", points), given("ids", ids), None)
 

@@ -96,8 +96,7 @@ def track(trajectory: Any, cell: Any = None, *, progress: bool = False, **settin
     progress : bool
         Whether tqdm shows how far it is, if it is installed.
     settings
-        classifier, repair and so on, as of DynamicDelaunay or Population; for points in space changes and threads, in
-        a periodic cell threads alone.
+        classifier, repair and so on, as of DynamicDelaunay or Population; for points in space changes and threads.
 
     What is wrong with a frame is an error of the package, whose message begins with the frame.
     """

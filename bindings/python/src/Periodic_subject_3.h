@@ -4,12 +4,15 @@
 #ifndef PYTHON_PERIODIC_SUBJECT_3_H
 #define PYTHON_PERIODIC_SUBJECT_3_H
 
+#include "bindings/common/Recorded_changes.h"
 #include "bindings/common/Subject.h"
 #include "bindings/python/src/Periodic_arrays_3.h"
 #include "bindings/python/src/Space_subject_3.h"
 #include "scenario_runner/Threads.h"
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_cell_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_edge_changes_visitor_3.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -39,9 +42,10 @@ public:
   virtual std::vector<Array> voronoi_cells() const = 0;
 };
 
+template <class Visitor>
 using Dynamic_periodic_3 = CGAL::Dynamic_periodic_Delaunay_triangulation_3<
     CGAL::Exact_predicates_inexact_constructions_kernel,
-    CGAL::With_concurrency_2<run::Concurrency_tag>>;
+    CGAL::With_concurrency_2<run::Concurrency_tag>, CGAL::With_visitor_2<Visitor>>;
 
 template <class Dynamic, bool has_user_ids>
 class Periodic_subject_of_3 : public Space_subject_3<Periodic_subject_3, Dynamic, has_user_ids>
@@ -89,14 +93,21 @@ public:
   }
 };
 
-// Without points.
+// Without points; and without a visitor if it has nothing to record.
 inline std::unique_ptr<Periodic_subject_3>
-make_periodic_subject_3(const CGAL::Periodic_cell_3& cell, bool is_population)
+make_periodic_subject_3(const CGAL::Periodic_cell_3& cell, bool records_changes, bool is_population)
 {
-  if (is_population) {
-    return std::make_unique<Periodic_subject_of_3<Dynamic_periodic_3, true>>(cell);
+  const auto make = [&](auto visitor) -> std::unique_ptr<Periodic_subject_3> {
+    using Dynamic = Dynamic_periodic_3<decltype(visitor)>;
+    if (is_population) {
+      return std::make_unique<Periodic_subject_of_3<Dynamic, true>>(cell);
+    }
+    return std::make_unique<Periodic_subject_of_3<Dynamic, false>>(cell);
+  };
+  if (records_changes) {
+    return make(Recorded_changes<CGAL::Periodic_edge_changes_visitor_3>());
   }
-  return std::make_unique<Periodic_subject_of_3<Dynamic_periodic_3, false>>(cell);
+  return make(CGAL::Delaunay_update_visitor_base_3());
 }
 
 } // namespace python

@@ -34,11 +34,11 @@ CGAL::Periodic_cell_3 cell_of(const Numbers& n)
 class Periodic_triangulation_3 : public Guarded_subject<Periodic_subject_3>
 {
 public:
-  void start(unsigned threads, bool is_population, const Numbers& cell)
+  void start(unsigned threads, bool changes, bool is_population, const Numbers& cell)
   {
     check_is_new();
     m_number_of_threads = threads;
-    Guarded_subject::start(threads, make_periodic_subject_3(cell_of(cell), is_population));
+    Guarded_subject::start(threads, make_periodic_subject_3(cell_of(cell), changes, is_population));
   }
   void start_as_copy(Periodic_triangulation_3& other)
   {
@@ -83,7 +83,8 @@ void bind_periodic_triangulation_3(py::module_& module)
   using Guarded = Periodic_triangulation_3;
   py::class_<Guarded> type(module, "PeriodicTriangulation3D");
   type.def(py::init<>())
-      .def("_start", &Guarded::start, py::arg("threads"), py::arg("population"), py::arg("cell"))
+      .def("_start", &Guarded::start, py::arg("threads"), py::arg("changes"), py::arg("population"),
+           py::arg("cell"))
       .def("_start_as_copy", &Guarded::start_as_copy)
       .def("_update", &Guarded::update)
       .def("_cell", &Guarded::cell)

@@ -80,8 +80,9 @@ def test_documented_types_and_shapes_in_space_are_those_of_the_arrays():
     points = np.random.default_rng(1).random((20, 3))
     for in_space in (DynamicDelaunay(points, changes=True), Population(np.arange(20), points, changes=True)):
         assert count_documented_arrays(in_space) == 11
-    for periodic in (PeriodicDelaunay(points), PeriodicPopulation(np.arange(20), points)):
-        assert count_documented_arrays(periodic) == 12
+    for periodic in (PeriodicDelaunay(points, changes=True),
+                     PeriodicPopulation(np.arange(20), points, changes=True)):
+        assert count_documented_arrays(periodic) == 16
 
 
 def test_has_the_version_of_the_headers():
