@@ -300,6 +300,18 @@ TEST(Motion_in_periodic_space, may_drift_for_ever)
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, unit));
 }
 
+// Shifts inside of the package have multiples below 2^9.
+TEST(Motion_in_periodic_space, may_go_round_hundreds_of_times_while_others_rest)
+{
+  Points points = random_points(40);
+  Dynamic dt(points, unit);
+  for (int step = 0; step < 14000; ++step) { // 700 cells
+    points[7] = points[7] + Kernel::Vector_3(0.05, 0, 0);
+    dt.move(7, points[7]);
+  }
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, unit));
+}
+
 TEST(Cells_in_periodic_space, may_shear_and_be_flipped)
 {
   Points points = random_points(300);
