@@ -45,7 +45,8 @@ struct alignas(64) Torus_cell_3
 // each corner it knows the mirror corner in the neighbor, and the translation that takes the
 // neighbor's chart to its own: a site of the neighbor with the shift s has the shift s +
 // translation here. So nothing has to be found by comparing vertices, and a cell may have several
-// images of a vertex, be its own neighbor, or another's neighbor several times.
+// images of a vertex, or be another's neighbor several times; it is never its own (see
+// `Lawson_flips_3.h`).
 class Torus_cells_3 : public Cell_arrays_3<Torus_cell_3>
 {
 public:

@@ -279,10 +279,7 @@ private:
   {
     const Cell_index last(m_cells.size() - 1);
     note(last);
-    Cell& cell = m_cells[c] = m_cells[last];
-    for (Corner_index& k : cell.mirrors) // on a torus a cell may be its own neighbor
-      if (cell_of(k) == last)
-        k = corner(c, place_of(k));
+    const Cell& cell = m_cells[c] = m_cells[last]; // none of its neighbors is itself
     for (int i = 0; i < 4; ++i) {
       const Corner_index mirror = cell.mirrors[i];
       m_cells[cell_of(mirror)].mirrors[place_of(mirror)] = corner(c, i);
