@@ -70,6 +70,16 @@ BOOST_FORCEINLINE double larger(double a, double b)
   return a < b ? b : a;
 }
 
+BOOST_FORCEINLINE double smaller(double a, double b)
+{
+  return b < a ? b : a;
+}
+
+BOOST_FORCEINLINE double root(double a)
+{
+  return std::sqrt(a);
+}
+
 // Bit i of the result is set if lane i answers yes.
 BOOST_FORCEINLINE unsigned bits(bool answer)
 {
@@ -134,6 +144,10 @@ struct Lanes_2
   {
     return Lanes_2(vector - b.vector);
   }
+  BOOST_FORCEINLINE Lanes_2 operator/(const Lanes_2& b) const
+  {
+    return Lanes_2(vector / b.vector);
+  }
   BOOST_FORCEINLINE Lanes_2 operator&(const Lanes_2& b) const
   {
     return Lanes_2(vector & b.vector);
@@ -172,6 +186,25 @@ struct Lanes_2
   BOOST_FORCEINLINE friend Lanes_2 larger(const Lanes_2& a, const Lanes_2& b)
   {
     return Lanes_2(a.vector < b.vector ? b.vector : a.vector);
+  }
+  BOOST_FORCEINLINE friend Lanes_2 smaller(const Lanes_2& a, const Lanes_2& b)
+  {
+    return Lanes_2(b.vector < a.vector ? b.vector : a.vector);
+  }
+  // By itself g++ 12 takes the roots one by one.
+  BOOST_FORCEINLINE friend Lanes_2 root(const Lanes_2& a)
+  {
+    Lanes_2 result(a);
+#if defined(__SSE2__) && !defined(__clang__)
+    if constexpr (n == 4)
+      __asm__("vsqrtpd {%1, %0|%0, %1}" : "=x"(result.vector) : "x"(a.vector));
+    else
+      result.vector = __builtin_ia32_sqrtpd(a.vector);
+#else
+    for (int i = 0; i < n; ++i)
+      result.vector[i] = std::sqrt(a.vector[i]);
+#endif
+    return result;
   }
 
   Vector vector;

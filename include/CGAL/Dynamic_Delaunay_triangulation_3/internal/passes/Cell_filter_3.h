@@ -179,6 +179,9 @@ struct Cell_filter_in_lanes_3
     size = larger(bb, larger(cc, dd));
   }
 
+  // What filters of other spaces are built on.
+  BOOST_FORCEINLINE const Cell_filter_in_lanes_3& of_cell() const { return *this; }
+
   // True unless the cell is proved to be positive.
   BOOST_FORCEINLINE auto may_be_inverted() const
   {

@@ -107,8 +107,8 @@ public:
   // Makes two corners each other's mirror. The translation takes the chart of l's cell to k's.
   void connect(Corner_index k, Corner_index l, Torus_shift_3 translation)
   {
-    record(cell_of(k));
-    record(cell_of(l));
+    meet(cell_of(k));
+    meet(cell_of(l));
     set_mirror(k, l, translation);
     set_mirror(l, k, -translation);
   }

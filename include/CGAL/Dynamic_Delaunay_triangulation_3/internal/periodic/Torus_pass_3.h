@@ -11,7 +11,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_pass_3.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -84,32 +86,26 @@ struct Torus_group_3
   int number = 0;
 };
 
-template <int lanes, class Point_at>
+template <int lanes, class Point_at, class Learned>
 BOOST_FORCEINLINE void append_unproved_in_torus(const Few<Cell_index, lanes>& some,
                                                 const Point_at& point_at, double squared_error,
+                                                const Learned& learned,
                                                 std::vector<Cell_index>& unproved)
 {
-  const auto points = [&](int place) CGAL_DYNAMIC_DELAUNAY_INLINE {
+  const auto corners = [&](int place) CGAL_DYNAMIC_DELAUNAY_INLINE {
     return points_in_lanes<lanes>(
         [&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE -> decltype(auto) { return point_at(i, place); });
   };
-  const auto a = points(0);
-  const Torus_filter_in_lanes_3<Lanes<lanes>> filter(points(1) - a, points(2) - a, points(3) - a,
-                                                     Lanes<lanes>(squared_error));
-  auto are_unproved = filter.may_be_inverted();
-  for (int place = 4; place < 8; ++place)
-    are_unproved = are_unproved | filter.may_be_inside(points(place) - a);
-  if (const unsigned answers = Dynamic_Delaunay_triangulations_2::internal::bits(are_unproved))
-    for (int i = 0; i < lanes; ++i)
-      if (answers >> i & 1)
-        unproved.push_back(some[i]);
+  const auto beyond = [&](int place) CGAL_DYNAMIC_DELAUNAY_INLINE { return corners(4 + place); };
+  test_in_lanes<Torus_filter_in_lanes_3<Lanes<lanes>>>(some, corners, beyond, learned, unproved,
+                                                       Lanes<lanes>(squared_error));
 }
 
-// Tests the cells from `first` to before `beyond`. Cells without shifts, most of them, read
+// Tests so many cells, the i-th of which is cell_at(i). Cells without shifts, most of them, read
 // positions from where they are; those of others are translated.
-template <int lanes>
-BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::size_t first,
-                                                std::size_t beyond,
+template <int lanes, class Cell_at, class Learned>
+BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::size_t cells,
+                                                const Cell_at& cell_at, const Learned& learned,
                                                 std::vector<Cell_index>& unproved)
 {
   using Dynamic_Delaunay_triangulations_2::internal::prefetch;
@@ -144,56 +140,65 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
     else
       unproved.push_back(c);
   };
-  for (Cell_index c(first); c < beyond; ++c) {
+  for (std::size_t n = 0; n < cells; ++n) {
+    const Cell_index c = cell_at(n);
     const Torus_view_3::Cell& cell = view.cell(c);
-    if (c + ahead < beyond)
-      for (const Corner_index k : view.cell(c + Index(ahead)).mirrors)
+    if (n + 2 * ahead < cells)
+      prefetch(view.cells() + cell_at(n + 2 * ahead));
+    if (n + ahead < cells)
+      for (const Corner_index k : view.cell(cell_at(n + ahead)).mirrors)
         prefetch(view.cells() + k / 4);
     if (view.is_without_shifts(cell)) {
       plain[number++] = c;
       if (number == lanes) {
-        append_unproved_in_torus<lanes>(plain, plain_at, view.squared_error(), unproved);
+        append_unproved_in_torus<lanes>(plain, plain_at, view.squared_error(), learned, unproved);
         number = 0;
       }
       continue;
     }
     append_shifted(c);
     if (shifted.number == lanes) {
-      append_unproved_in_torus<lanes>(shifted.cells, shifted_at, view.squared_error(), unproved);
+      append_unproved_in_torus<lanes>(shifted.cells, shifted_at, view.squared_error(), learned,
+                                      unproved);
       shifted.number = 0;
     }
   }
   for (int i = 0; i < number; ++i)
     append_unproved_in_torus<1>(
         {plain[i]}, [&](int, int place) -> const Position_3& { return plain_at(i, place); },
-        view.squared_error(), unproved);
+        view.squared_error(), learned, unproved);
   for (int i = 0; i < shifted.number; ++i)
     append_unproved_in_torus<1>(
         {shifted.cells[i]},
         [&](int, int place) -> const Translated_3& { return shifted_at(i, place); },
-        view.squared_error(), unproved);
+        view.squared_error(), learned, unproved);
 }
 
-// Finds the cells that floating point does not prove positive with legal facets, on threads; each
-// facet is tested from both of its cells.
+// What a pass over a torus reads.
 template <class Traits, class ConcurrencyTag>
-void find_unproved(const Torus_state_3<Traits, ConcurrencyTag>& state, Unproved_cells_3& cells)
+class Pass_view_3<Torus_state_3<Traits, ConcurrencyTag>>
 {
-  using Parts = typename Torus_state_3<Traits, ConcurrencyTag>::Parts;
-  std::vector<Cell_index>& unproved = cells.finite;
-  unproved.clear();
-  const Torus_view_3 view(state);
-  std::array<std::vector<Cell_index>, Parts::max_parts> lists;
-  const std::size_t number = state.arrays.number_of_cells(), parts = Parts::number(number);
-  Parts::for_each(number, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-    std::vector<Cell_index>& list = parts == 1 ? unproved : lists[part];
-    call_with_lanes([&, first, beyond](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
-      append_unproved_in_lanes<lanes>(view, first, beyond, list);
+public:
+  explicit Pass_view_3(const Torus_state_3<Traits, ConcurrencyTag>& state)
+    : m_view(state)
+  {
+  }
+  double error() const { return std::sqrt(m_view.squared_error()) * (1 + 0x1p-50); }
+
+  template <class Cell_at, class Learned>
+  void append_unproved(std::size_t number, const Cell_at& cell_at, const Learned& learned,
+                       Unproved_cells_3& unproved) const
+  {
+    call_with_lanes([&](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
+      append_unproved_in_lanes<lanes>(m_view, number, cell_at, learned, unproved.finite);
     });
-  });
-  for (std::size_t part = 0; part < parts && parts > 1; ++part)
-    unproved.insert(unproved.end(), lists[part].begin(), lists[part].end());
-}
+    // which cells are tested at once depends on those that are left out
+    std::sort(unproved.finite.begin(), unproved.finite.end());
+  }
+
+private:
+  Torus_view_3 m_view;
+};
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 

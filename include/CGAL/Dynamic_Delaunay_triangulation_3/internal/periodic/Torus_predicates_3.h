@@ -47,6 +47,9 @@ public:
   {
   }
 
+  // As if positions were exact.
+  BOOST_FORCEINLINE const Cell_filter_in_lanes_3<Number>& of_cell() const { return m_cell; }
+
   // True unless the cell is proved to be positive.
   BOOST_FORCEINLINE auto may_be_inverted() const
   {

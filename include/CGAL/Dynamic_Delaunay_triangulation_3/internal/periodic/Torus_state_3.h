@@ -94,6 +94,27 @@ private:
   Column<Vertex_index, Base> m_bases;
 };
 
+// What the error of rounded images depends on.
+struct Torus_measures_3
+{
+  void include(const Position_3& base, const Position_3& position, const Multiples_3& multiples)
+  {
+    for (const Position_3* p : {&base, &position})
+      for (const double x : {p->x, p->y, p->z})
+        largest = (std::max)(largest, std::abs(x));
+    sum = (std::max)(sum, double(std::abs(multiples[0])) + std::abs(multiples[1]) +
+                              std::abs(multiples[2]));
+  }
+  Torus_measures_3 with(const Torus_measures_3& other) const
+  {
+    return {(std::max)(largest, other.largest), (std::max)(sum, other.sum),
+            has_strayed || other.has_strayed};
+  }
+
+  double largest = 0, sum = 0; // a coordinate; absolute values of the multiples of a vertex
+  bool has_strayed = false;    // whether a vertex is far out of the basis' parallelepiped
+};
+
 // The positions and the cell of a frame, before they count; from the exchange on, those of the last
 // frame, and at last as the new cell carries them.
 template <class Point>
@@ -121,6 +142,8 @@ public:
   }
   // Whether the basis of the last frame could be moved to this one's.
   bool can_mend() const { return m_can_mend; }
+  // Whether the cell is not that of the last frame.
+  bool has_other_cell() const { return m_torus.has_value(); }
 
   // Each vertex goes to that image of its point that is nearest to where it was, carried with the
   // cell. False if the point is not finite, or too far away.
@@ -282,32 +305,30 @@ public:
   // What rounding moves sites by grows with the places that there are.
   void include(const Place& place)
   {
-    measure(place.base, place.position, place.multiples);
-    squared_error = torus.squared_error(m_largest, m_sum);
-    m_has_strayed = m_has_strayed || is_far(place.position);
+    m_present.include(place.base, place.position, place.multiples);
+    m_present.has_strayed = m_present.has_strayed || is_far(place.position);
+    set_reach(m_reach.with(m_present));
   }
   void include_all()
   {
-    forget_measures();
-    measure_all(positions);
-    squared_error = torus.squared_error(m_largest, m_sum);
+    m_present = measures(positions);
+    set_reach(m_present);
   }
   // A vertex that is held is carried by others' ways: at most twice as far as all go.
-  bool begin_frame(const Position_3&, const Positions& previous)
+  bool begin_frame(const Position_3&, const Positions& previous, bool has_other_cell)
   {
-    forget_measures();
-    measure_all(previous);
-    m_has_strayed = false;
-    measure_all(positions);
-    m_largest *= 4;
-    squared_error = torus.squared_error(m_largest, m_sum);
+    Torus_measures_3 reach = has_other_cell ? measures(previous) : m_present;
+    m_present = measures(positions);
+    reach = reach.with(m_present);
+    reach.largest *= 4;
+    set_reach(reach);
     return true;
   }
   // Wraps vertices into the basis' parallelepiped where one has gone far out of it, so that shifts
   // stay small.
   void end_change()
   {
-    if (!m_has_strayed)
+    if (!m_present.has_strayed)
       return;
     Column<Vertex_index, Torus_shift_3> shifts(positions.number(), Torus_shift_3());
     for (Vertex_index v(1); v < positions.number(); ++v) {
@@ -320,16 +341,14 @@ public:
     include_all();
   }
   // How far points and vertices go, for filters: a coordinate, and a sum of multiples.
-  std::array<double, 2> reach() const { return {m_largest, m_sum}; }
+  std::array<double, 2> reach() const { return {m_reach.largest, m_reach.sum}; }
   // False if that is too little for the points.
   bool set_reach(const std::array<double, 2>& reach)
   {
     include_all();
-    if (!(m_largest <= reach[0] && m_sum <= reach[1]))
+    if (!(m_present.largest <= reach[0] && m_present.sum <= reach[1]))
       return false;
-    m_largest = reach[0];
-    m_sum = reach[1];
-    squared_error = torus.squared_error(m_largest, m_sum);
+    set_reach({reach[0], reach[1]});
     return true;
   }
   // Whether a vertex is so far out of the basis' parallelepiped that it is wrapped.
@@ -366,34 +385,32 @@ private:
   }
   static Point to_point(const Position_3& p) { return Point(p.x, p.y, p.z); }
 
-  void forget_measures()
+  void set_reach(const Torus_measures_3& reach)
   {
-    m_largest = m_sum = 0;
-    m_has_strayed = false;
-  }
-  void measure_all(const Positions& some)
-  {
-    for (Vertex_index v(1); v < some.number(); ++v) {
-      measure(some.base(v), some.position(v), some.multiples(v));
-      m_has_strayed = m_has_strayed || is_far(some.position(v));
-    }
-  }
-  void measure(const Position_3& base, const Position_3& position, const Multiples_3& multiples)
-  {
-    m_largest = (std::max)({m_largest, largest_coordinate(base), largest_coordinate(position)});
-    m_sum = (std::max)(m_sum, sum_of(multiples));
-  }
-  static double largest_coordinate(const Position_3& p)
-  {
-    return (std::max)({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  }
-  static double sum_of(const Multiples_3& m)
-  {
-    return double(std::abs(m[0])) + std::abs(m[1]) + std::abs(m[2]);
+    m_reach = reach;
+    squared_error = torus.squared_error(reach.largest, reach.sum);
   }
 
-  double m_largest = 0, m_sum = 0; // a coordinate; absolute values of the multiples of a vertex
-  bool m_has_strayed = false;
+  Torus_measures_3 measures(const Positions& places) const
+  {
+    using Parts = typename Base::Parts;
+    std::array<Torus_measures_3, Parts::max_parts> found;
+    Parts::for_each(places.number() - 1, [&](std::size_t part, std::size_t first, std::size_t end) {
+      Torus_measures_3 measures;
+      for (Vertex_index v(first + 1); v <= end; ++v) {
+        measures.include(places.base(v), places.position(v), places.multiples(v));
+        measures.has_strayed = measures.has_strayed || is_far(places.position(v));
+      }
+      found[part] = measures;
+    });
+    Torus_measures_3 measures;
+    for (const Torus_measures_3& of_part : found)
+      measures = measures.with(of_part);
+    return measures;
+  }
+
+  Torus_measures_3 m_present; // of all vertices
+  Torus_measures_3 m_reach;   // also of what they have been in this frame
 };
 
 // The exact signs that decide cells and facets.

@@ -26,6 +26,7 @@ struct Staged_positions_3
   {
   }
   static constexpr bool can_mend() { return true; }
+  static constexpr bool has_other_cell() { return false; }
 
   // False if the point is refused.
   template <class State>
@@ -142,7 +143,7 @@ public:
   }
 
   // The origin goes with the others.
-  bool begin_frame(const Position_3& mean, const Positions&)
+  bool begin_frame(const Position_3& mean, const Positions&, bool)
   {
     origin = origin + mean;
     return is_finite(origin);

@@ -9,6 +9,7 @@
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_history_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Safe_cells_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -70,6 +71,7 @@ public:
     if (m_history.is_on())
       m_history.give_up(m_cells);
     m_cells.clear();
+    m_safe_cells.stop();
     m_free.clear();
     m_is_recording = false;
   }
@@ -94,6 +96,7 @@ public:
       if (m_cells.size() == m_cells.capacity()) // doubling would take 200 bytes a point
         m_cells.reserve(with_reserve(m_cells.size()));
       m_cells.push_back(free_cell());
+      m_safe_cells.resize(m_cells.size());
       note(c);
     } else {
       c = m_free.back();
@@ -244,11 +247,34 @@ public:
       note(c);
   }
 
+  // SAFE CELLS ------------------------------------------------------------------------------------
+
+  // What changes a cell, or a neighbor of it, makes it unsafe.
+  Safe_cells_3& safe_cells() { return m_safe_cells; }
+  const Safe_cells_3& safe_cells() const { return m_safe_cells; }
+  // After a vertex has moved beside a frame: of its star.
+  void forget_safe_cells(const std::vector<Cell_index>& star)
+  {
+    for (const Cell_index c : star) {
+      m_safe_cells.forget(c);
+      for (int i = 0; i < 4; ++i)
+        m_safe_cells.forget(neighbor(c, i));
+    }
+  }
+
 protected:
+  // To be called before the vertices of a cell change.
   void note(Cell_index c)
   {
     if (m_history.is_on())
       m_history.note(c, m_cells[c]);
+  }
+
+  // To be called before a cell gets another neighbor, as all do whose vertices change.
+  void meet(Cell_index c)
+  {
+    m_safe_cells.forget(c);
+    record(c);
   }
 
   void record(Cell_index c)
@@ -273,11 +299,13 @@ private:
   {
     while (!m_cells.empty() && m_cells.back().vertices[0] == null_index)
       m_cells.pop_back();
+    m_safe_cells.resize(m_cells.size());
   }
 
   void move_last_cell_to(Cell_index c)
   {
     const Cell_index last(m_cells.size() - 1);
+    m_safe_cells.move(last, c);
     note(last);
     const Cell& cell = m_cells[c] = m_cells[last]; // none of its neighbors is itself
     for (int i = 0; i < 4; ++i) {
@@ -294,6 +322,7 @@ private:
   std::vector<std::pair<Cell_index, Cell>> m_record; // what was overwritten, in order
   std::vector<Cell_index> m_made, m_dropped;
   Cell_history_3<Cell> m_history;
+  Safe_cells_3 m_safe_cells;
 };
 
 // Whether places are an even permutation of 0, 1, 2 and 3.

@@ -87,8 +87,8 @@ public:
   // Makes two corners each other's mirror.
   void connect(Corner_index k, Corner_index l)
   {
-    record(cell_of(k));
-    record(cell_of(l));
+    meet(cell_of(k));
+    meet(cell_of(l));
     m_cells[cell_of(k)].mirrors[place_of(k)] = l;
     m_cells[cell_of(l)].mirrors[place_of(l)] = k;
   }

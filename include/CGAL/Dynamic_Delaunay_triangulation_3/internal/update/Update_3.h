@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Held_vertices_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_pass_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Calm_frames_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Chosen_rebuilds_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Waiting_points_3.h>
@@ -16,6 +16,7 @@
 
 #include <boost/property_map/property_map.hpp>
 
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -60,6 +61,7 @@ public:
   void take_over(const Update_3& other)
   {
     m_is_certified = other.m_is_certified;
+    m_calm_frames = other.m_calm_frames;
     m_other.positions.resize(m_state.positions.number());
   }
 
@@ -215,9 +217,10 @@ private:
     m_other.carry(m_state);
     m_report.parted = m_waiting.part_covered();
     const Position_3 old_origin = m_state.origin, mean = mean_motion();
-    if (!m_state.begin_frame(mean, m_other.positions))
+    if (!m_state.begin_frame(mean, m_other.positions, m_other.has_other_cell()))
       return Reason::STUCK;
-    find_unproved(m_state, m_unproved);
+    m_calm_frames.find_unproved(m_state, m_other.positions, mean, !m_other.has_other_cell(),
+                                m_unproved);
     m_report.unproved = m_unproved.finite.size();
     if (is_hopeless())
       return Reason::TOO_MUCH_BROKEN;
@@ -241,10 +244,19 @@ private:
 
   Position_3 mean_motion() const
   {
-    const double share = 1 / double(m_state.number_of_vertices());
+    using Parts = typename State::Parts;
+    const std::size_t vertices = m_state.number_of_vertices();
+    const double share = 1 / double(vertices);
+    std::array<Position_3, Parts::max_parts> sums{};
+    Parts::for_each(vertices, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      Position_3 sum{0, 0, 0};
+      for (Vertex_index v(first + 1); v <= beyond; ++v)
+        sum = sum + share * (m_state.positions.position(v) - m_other.positions.position(v));
+      sums[part] = sum;
+    });
     Position_3 sum{0, 0, 0};
-    for (Vertex_index v(1); v < m_state.positions.number(); ++v)
-      sum = sum + share * (m_state.positions.position(v) - m_other.positions.position(v));
+    for (const Position_3& part : sums)
+      sum = sum + part;
     return sum;
   }
 
@@ -342,6 +354,7 @@ private:
   State& m_state;
   bool m_is_certified = true;     // no points are triangulated
   typename State::Staged m_other; // from the exchange on, those of the last frame
+  Calm_frames_3<State> m_calm_frames;
   Lawson_flips_3<State> m_flips;
   Held_vertices_3<State> m_held;
   Waiting_points_3<Space> m_waiting;

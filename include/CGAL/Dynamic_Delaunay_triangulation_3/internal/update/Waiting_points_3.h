@@ -223,6 +223,7 @@ private:
       return !arrays.is_infinite(c) && m_flips.is_positive(c);
     });
     if (is_inside) {
+      arrays.forget_safe_cells(m_star);
       arrays.begin();
       for (const Cell_index c : m_star)
         m_flips.open_cell(c);

@@ -1,0 +1,146 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PROOF_CALM_FRAMES_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PROOF_CALM_FRAMES_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_pass_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// The pass of a frame: it leaves out the cells that are safe, as long as that pays.
+//
+// Each cell that a pass proves gets a slack, by which all points may move before it has to be
+// tested again; the longest way of all points in each frame, relative to their mean motion, is
+// taken off. What changes a cell or a neighbor of it makes it unsafe, and so does what moves a
+// vertex beside frames (`Cell_arrays_3`). So a safe cell is one that the pass would prove, and
+// leaving it out changes no result.
+//
+// To learn a slack takes half as long as the test. So slacks are learned where a sample tells that
+// less than half of the cells will have to be tested, and given up where most are.
+template <class State>
+class Calm_frames_3
+{
+  using Positions = typename State::Positions;
+
+public:
+  // Finds what floating point does not prove in a frame in which vertices have moved from
+  // `previous`. `is_whole`: whether all there is has moved with them, not a periodic cell as well.
+  void find_unproved(State& state, const Positions& previous, const Position_3& mean, bool is_whole,
+                     Unproved_cells_3& unproved)
+  {
+    Safe_cells_3& safe_cells = state.arrays.safe_cells();
+    const bool is_possible = state.positions_are_exact && is_whole;
+    if (!is_possible)
+      safe_cells.stop();
+    const bool is_due = is_possible && !safe_cells.is_on() && is_rested();
+    const double way = is_due || safe_cells.is_on() ? longest_way(state, previous, mean) : 0;
+    if (!(way < std::numeric_limits<double>::infinity()))
+      safe_cells.stop();
+    else if (is_due)
+      start_if_calm(state, way);
+    if (!safe_cells.is_on()) {
+      internal::find_unproved(state, unproved);
+      return;
+    }
+    safe_cells.advance(way);
+    const std::size_t tested = find_unproved_unless_safe(state, unproved);
+    if (2 * tested <= std::size_t(state.arrays.number_of_cells()))
+      m_next_rest = shortest_rest;
+    else if (m_is_going_on)
+      give_up(safe_cells);
+    m_is_going_on = true;
+  }
+
+private:
+  static constexpr std::size_t sample = 64;                        // cells
+  static constexpr unsigned shortest_rest = 4, longest_rest = 256; // frames
+
+  bool is_rested()
+  {
+    if (m_rest == 0)
+      return true;
+    --m_rest;
+    return false;
+  }
+  void give_up(Safe_cells_3& safe_cells)
+  {
+    safe_cells.stop();
+    rest();
+  }
+  void rest()
+  {
+    m_rest = m_next_rest;
+    m_next_rest = (std::min)(2 * m_next_rest, longest_rest);
+  }
+
+  // How long the longest way is, at least. Each coordinate of a difference of two positions and the
+  // mean is off by 2.1 units in the last place of itself, and 1.1 of the mean's.
+  static double longest_way(const State& state, const Positions& previous, const Position_3& mean)
+  {
+    using Parts = typename State::Parts;
+    const std::size_t vertices = state.number_of_vertices();
+    std::array<double, Parts::max_parts> squares{};
+    Parts::for_each(vertices, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+      double largest = 0;
+      for (Vertex_index v(first + 1); v <= beyond; ++v) {
+        const double square =
+            squared_length(state.positions.position(v) - previous.position(v) - mean);
+        largest = square <= largest ? largest : square; // also NaN
+      }
+      squares[part] = largest;
+    });
+    double largest = 0;
+    for (const double square : squares)
+      largest = square <= largest ? largest : square;
+    // squares below 1e-300 may have underflowed
+    return std::sqrt(largest) * (1 + 0x1p-48) + 0x1p-51 * std::sqrt(squared_length(mean)) + 1e-140 +
+           Pass_view_3<State>(state).error();
+  }
+
+  // Learns slacks of all cells in this frame, if a sample of them tells that few will have to be
+  // tested in the next ones.
+  void start_if_calm(State& state, double way)
+  {
+    std::vector<double> slacks = sampled_slacks(state);
+    double tested = 0;
+    for (const double slack : slacks)
+      tested += slack > way ? way / slack : 1;
+    std::nth_element(slacks.begin(), slacks.begin() + sample / 2, slacks.end());
+    if (8 * tested < 3 * sample && slacks[sample / 2] > 1e-100) {
+      state.arrays.safe_cells().start(state.arrays.number_of_cells(), slacks[sample / 2]);
+      m_is_going_on = false;
+    } else {
+      rest();
+    }
+  }
+  std::vector<double> sampled_slacks(const State& state) const
+  {
+    std::vector<double> slacks;
+    Unproved_cells_3 unproved;
+    const std::size_t cells = state.arrays.number_of_cells();
+    const Pass_view_3<State> view(state);
+    const auto append = [&](Cell_index, double slack) { slacks.push_back(slack); };
+    view.append_unproved(
+        sample, [cells](std::size_t n) { return Cell_index(cells * n / sample); },
+        Slacks_learned_3(view.error(), append), unproved);
+    slacks.resize(sample, 0); // infinite cells are never safe
+    return slacks;
+  }
+
+  unsigned m_rest = 1, m_next_rest = shortest_rest; // frames
+  bool m_is_going_on = false;                       // not in the first frame
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_PROOF_CALM_FRAMES_3_H
