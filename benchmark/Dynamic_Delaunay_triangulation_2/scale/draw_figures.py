@@ -80,6 +80,8 @@ def draw_memory(axes, memory):
 
 def main():
     folder = pathlib.Path(sys.argv[1])
+    if not (folder / "scale.csv").exists():
+        return  # with --serial there are no curves
     results = Results(folder / "scale.csv")
     motions = results.values("motion")
     figure, panels = style.new_figure(4)
