@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -65,10 +66,11 @@ bool holds(const Five& p)
          CGAL::side_of_oriented_sphere(p[0], p[1], p[2], p[3], p[4]) == CGAL::ON_NEGATIVE_SIDE;
 }
 
+using Long = std::array<long double, 3>;
+
 // How near the five are to a wrong sign, in long double: what an enemy makes smaller.
 long double room(const Five& p, bool of_volume)
 {
-  using Long = std::array<long double, 3>;
   const auto way = [&](std::size_t i) {
     return Long{(long double)(p[i].x()) - p[0].x(), (long double)(p[i].y()) - p[0].y(),
                 (long double)(p[i].z()) - p[0].z()};
@@ -87,24 +89,38 @@ long double room(const Five& p, bool of_volume)
          dot(d, d) * dot(cross(b, c), e);
 }
 
-// Moves each point by that way, against the gradient of the room, taken by differences.
+// The derivatives of the room by the five points, by differences: along a coordinate of one point
+// it is quadratic, so that those to both sides give the slope.
+std::array<Long, 5> gradients(const Five& p, bool of_volume)
+{
+  std::array<Long, 5> gradients;
+  for (std::size_t i = 0; i < 5; ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::array<double, 3> x{p[i].x(), p[i].y(), p[i].z()};
+      const double step = std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}) / 1024;
+      const double here = x[k], high = here + step, low = here - step;
+      Five above = p, below = p;
+      x[k] = high;
+      above[i] = Point(x[0], x[1], x[2]);
+      x[k] = low;
+      below[i] = Point(x[0], x[1], x[2]);
+      gradients[i][k] = (room(above, of_volume) - room(below, of_volume)) / (high - low);
+    }
+  return gradients;
+}
+
+// Moves each point by that way, against the gradient of the room.
 Five moved_by_enemy(const Five& p, double way, bool of_volume)
 {
   Five moved = p;
-  const double step = way / 64;
+  const std::array<Long, 5> all = gradients(p, of_volume);
   for (std::size_t i = 0; i < 5; ++i) {
-    std::array<double, 3> gradient;
-    for (int k = 0; k < 3; ++k) {
-      std::array<double, 3> x{p[i].x(), p[i].y(), p[i].z()};
-      Five beside = p;
-      x[std::size_t(k)] += step;
-      beside[i] = Point(x[0], x[1], x[2]);
-      gradient[std::size_t(k)] = double(room(beside, of_volume) - room(p, of_volume));
-    }
-    const double length = std::hypot(gradient[0], gradient[1], gradient[2]);
+    const auto& gradient = all[i];
+    const double length = double(std::hypot(gradient[0], gradient[1], gradient[2]));
     if (length > 0)
-      moved[i] = Point(p[i].x() - way * gradient[0] / length, p[i].y() - way * gradient[1] / length,
-                       p[i].z() - way * gradient[2] / length);
+      moved[i] = Point(p[i].x() - way * double(gradient[0]) / length,
+                       p[i].y() - way * double(gradient[1]) / length,
+                       p[i].z() - way * double(gradient[2]) / length);
   }
   return moved;
 }
@@ -158,6 +174,72 @@ TEST(Slack, no_motion_within_it_breaks_a_cell)
   }
   EXPECT_GT(measured, 30000u);
   EXPECT_GT(tight, measured / 10);
+}
+
+// The bounds of the proof in Cell_slack_3.h: first derivatives, and what lies beyond them.
+struct Bounds
+{
+  explicit Bounds(const Five& p, long double way)
+  {
+    const auto length = [](const auto& v) { return std::hypot(v[0], v[1], v[2]); };
+    Long middle{0, 0, 0};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (std::size_t k = 0; k < 3; ++k)
+        middle[k] += (long double)(p[i][int(k)]) / 4;
+    std::array<long double, 5> l;
+    for (std::size_t i = 0; i < 5; ++i) {
+      Long v;
+      for (std::size_t k = 0; k < 3; ++k)
+        v[k] = (long double)(p[i][int(k)]) - middle[k];
+      l[i] = length(v) + way;
+    }
+    for (const bool of_volume : {false, true}) {
+      long double slope = 0;
+      for (const Long& gradient : gradients(p, of_volume))
+        slope += length(gradient);
+      (of_volume ? volume : power) = room(p, of_volume) - slope * way;
+    }
+    volume -= way * way * 3 * (l[0] + l[1] + l[2] + l[3]);
+    long double e1 = 0, e2 = 0, e3 = 0;
+    for (std::size_t i = 0; i < 5; ++i) {
+      e1 += l[i];
+      for (std::size_t j = 0; j < i; ++j) {
+        e2 += l[i] * l[j];
+        for (std::size_t k = 0; k < j; ++k)
+          e3 += l[i] * l[j] * l[k];
+      }
+    }
+    power -= way * way * (3 * e1 * e2 + 5 * e3);
+  }
+
+  long double volume, power; // what is left of them at least
+};
+
+// A cell alone, whose facets have no vertex beyond.
+double slack_of_volume(const Five& p)
+{
+  const Vector b = between(p[0], p[1]), c = between(p[0], p[2]), d = between(p[0], p[3]);
+  const internal::Cell_filter_in_lanes_3<double> filter(b, c, d);
+  return filter.may_be_inverted()
+             ? 0
+             : internal::Cell_slack_in_lanes_3<double>(b, c, d, filter, 0).slack();
+}
+
+TEST(Slack, keeps_the_bounds_of_its_proof)
+{
+  std::mt19937_64 random(3);
+  std::size_t measured = 0;
+  for (int trial = 0; trial < 20000; ++trial) {
+    const Five p = some_five(random);
+    if (const double slack = slack_of(p); slack > 0) {
+      ASSERT_GT(Bounds(p, slack).power, 0) << "trial " << trial;
+      ++measured;
+    }
+    if (const double slack = slack_of_volume(p); slack > 0) {
+      ASSERT_GT(Bounds(p, slack).volume, 0) << "trial " << trial;
+    }
+  }
+  EXPECT_GT(measured, 6000u);
 }
 
 TEST(Slack, of_rounded_positions_is_smaller_by_the_error)
