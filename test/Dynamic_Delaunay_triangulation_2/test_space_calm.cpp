@@ -311,7 +311,7 @@ private:
     std::vector<std::vector<std::size_t>> cells;
     dt.for_each_cell([&](const auto& ids, const auto&... shifts) {
       cells.emplace_back(ids.begin(), ids.end());
-      const auto append = [&](const auto& all) {
+      [[maybe_unused]] const auto append = [&](const auto& all) {
         for (const auto& shift : all)
           for (const int x : shift)
             cells.back().push_back(std::size_t(x));
@@ -464,8 +464,9 @@ TEST(Calm_frames, rough_motion_ends_them)
   for (int frame = 0; frame < 60; ++frame) {
     points = space_points::shaken(points, frame < 30 ? 1e-6 : 2e-3, unsigned(frame));
     ASSERT_NO_FATAL_FAILURE(follow(twins, points));
-    if (frame == 29)
+    if (frame == 29) {
       EXPECT_TRUE(twins.leaves_out());
+    }
   }
   EXPECT_FALSE(twins.leaves_out());
 }

@@ -253,6 +253,7 @@ public:
 
   Torus_state_3 without_points() const { return Torus_state_3(torus.cell()); }
 
+  using typename Base::Parts;
   using Base::arrays;
   using Base::positions;
 
@@ -393,7 +394,6 @@ private:
 
   Torus_measures_3 measures(const Positions& places) const
   {
-    using Parts = typename Base::Parts;
     std::array<Torus_measures_3, Parts::max_parts> found;
     Parts::for_each(places.number() - 1, [&](std::size_t part, std::size_t first, std::size_t end) {
       Torus_measures_3 measures;
