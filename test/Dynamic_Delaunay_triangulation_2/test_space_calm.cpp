@@ -372,7 +372,8 @@ void follow_all_kinds(const Make_twins& make_twins)
       p = Point(p.x() + 1e-5 * p.y(), p.y(), p.z());
   });
   follow(make_twins(start), start, 60, 10, [](Points& points, int frame) { // stops and goes
-    points = space_points::shaken(points, frame % 20 < 15 ? 0 : 1e-3, unsigned(frame));
+    if (frame % 20 >= 15)
+      points = space_points::shaken(points, 1e-3, unsigned(frame));
   });
   follow(make_twins(start), start, 60, 40, [](Points& points, int frame) { // jumps of some
     points = space_points::shaken(points, 1e-5, unsigned(frame));
