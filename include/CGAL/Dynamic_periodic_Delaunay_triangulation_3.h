@@ -37,6 +37,12 @@ of a point p, for integers i, j and k, are triangulated as real numbers, and nev
 one sheet, however few points there are: so a point can be a neighbor of its own images, and two
 points can have several edges.
 
+The cell may be a slab, with two vectors, as of a film or between walls. Then the cells fill the
+convex hull of all images, which is the layer between two planes along the slab, through the points
+that are farthest to either side. They cover it once; if all points are in one such plane, there are
+no cells, only facets and edges of the Delaunay triangulation in that plane. All shifts have the
+third number 0.
+
 Points have ids as in `Dynamic_Delaunay_triangulation_3`: the i-th point of the range has id i, and
 points that are inserted get the smallest free ids. Points that coincide, also by a translation of
 the lattice, share a vertex.
@@ -149,8 +155,8 @@ public:
   /// call: by deformation, by other vectors for the same lattice, as when a sheared cell is
   /// flipped, or by both.
   /// \throws Periodic_cell_error_3 if the cell is so thin or extreme that doubles cannot tell how
-  /// far points are apart in it; else what `update(first, beyond)` throws. Nothing has changed
-  /// then.
+  /// far points are apart in it, or if only one of this cell and the last one is a slab; else what
+  /// `update(first, beyond)` throws. Nothing has changed then.
   template <class InputIterator>
   Update_report_3 update(InputIterator first, InputIterator beyond, const Periodic_cell_3& cell)
   {
@@ -178,14 +184,16 @@ public:
 
   /// the cell of the last frame.
   const Periodic_cell_3& cell() const { return state().torus.cell(); }
-  /// the number of cells.
-  size_type number_of_cells() const { return state().arrays.number_of_cells(); }
-  /// the number of facets: two for each cell.
-  size_type number_of_facets() const { return 2 * number_of_cells(); }
-  /// the number of edges: as many as vertices and cells.
+  /// the number of cells. Cost: in a slab one pass over the cells, also below.
+  size_type number_of_cells() const { return all_cells() - number_of_hull_facets(); }
+  /// the number of facets: two for each cell, and in a slab half of those on its hull more.
+  size_type number_of_facets() const { return 2 * number_of_cells() + number_of_hull_facets() / 2; }
+  /// the number of edges: as many as vertices and cells, and in a slab half of the facets on its
+  /// hull more.
   size_type number_of_edges() const
   {
-    return number_of_cells() > 0 ? this->number_of_vertices() + number_of_cells() : 0;
+    const size_type hull_facets = number_of_hull_facets();
+    return all_cells() > 0 ? this->number_of_vertices() + all_cells() - hull_facets / 2 : 0;
   }
 
   /// the vector from point i to the image of point j by `shift`, rounded.
@@ -214,6 +222,8 @@ public:
   {
     const auto& arrays = state().arrays;
     for (Cell_index c(0); c < arrays.number_of_cells(); ++c) {
+      if (arrays.is_infinite(c))
+        continue;
       const auto sites = arrays.sites(c);
       std::array<size_type, 4> cell_ids;
       std::array<Periodic_shift_3, 4> shifts;
@@ -232,7 +242,7 @@ public:
   void for_each_edge(const Function& f) const
   {
     Star star;
-    for (Vertex_index v(1); v <= state().number_of_vertices() && number_of_cells() > 0; ++v) {
+    for (Vertex_index v(1); v <= state().number_of_vertices() && all_cells() > 0; ++v) {
       const Site site{v, {}};
       for (const Site& neighbor : star.neighbors(state(), v))
         if (site < neighbor)
@@ -248,7 +258,7 @@ public:
   void for_each_neighbor(size_type id, const Function& f) const
   {
     this->check_id(id);
-    if (number_of_cells() == 0)
+    if (all_cells() == 0)
       return;
     const Site site{ids().vertex(Point_id(id)), {}};
     Star star;
@@ -271,7 +281,7 @@ private:
         const auto sites = state.arrays.sites(c);
         for (int i = 0; i < 4; ++i)
           for (int j = 0; j < 4; ++j)
-            if (i != j && sites[i].vertex == v)
+            if (i != j && sites[i].vertex == v && !sites[j].is_infinite())
               m_neighbors.push_back({sites[j].vertex, sites[j].shift - sites[i].shift});
       }
       std::sort(m_neighbors.begin(), m_neighbors.end());
@@ -289,6 +299,19 @@ private:
   {
     const Floating_point floating_point;
     return State(cell);
+  }
+
+  // With infinite ones.
+  size_type all_cells() const { return state().arrays.number_of_cells(); }
+  // Each belongs to an infinite cell. One without a finite cell beneath, where all points are in a
+  // plane, counts twice.
+  size_type number_of_hull_facets() const
+  {
+    size_type number = 0;
+    if (cell().is_slab())
+      for (Cell_index c(0); c < all_cells(); ++c)
+        number += state().arrays.is_infinite(c);
+    return number;
   }
 
   size_type id_of(const Site& site) const { return size_type(ids().representative(site.vertex)); }

@@ -176,7 +176,19 @@ private:
     for (Coordinates& vector : v)
       for (double& x : vector)
         x *= m_setting.scale;
-    return Cell(v[0], v[1], v[2]);
+    return cell_of(v);
+  }
+  Cell cell_of(const std::array<Coordinates, 3>& v) const
+  {
+    return m_setting.cell.is_slab() ? Cell(v[0], v[1]) : Cell(v[0], v[1], v[2]);
+  }
+  std::size_t vectors() const { return std::size_t(m_setting.cell.dimension()); }
+  // The volume of the cell, of a slab its area times the scale.
+  double size() const
+  {
+    return m_setting.cell.is_slab()
+               ? std::abs(determinant(m_cell.a(), m_cell.b(), m_cell.c())) * m_setting.scale
+               : m_cell.volume();
   }
 
   double on_grid(double x) const
@@ -201,7 +213,7 @@ private:
   Point image(const Point& p)
   {
     Position x{p.x(), p.y(), p.z()};
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < vectors(); ++i) {
       const double multiple =
           double(number_below(std::size_t(2 * m_setting.far + 1))) - double(m_setting.far);
       for (std::size_t k = 0; k < 3; ++k)
@@ -261,7 +273,7 @@ private:
   void move_all()
   {
     static constexpr double steps[] = {0, 1e-6, 1e-4, 1e-3, 0.01, 0.03, 0.1, 0.3, 1};
-    const double spacing = std::cbrt(m_cell.volume() / double(m_points.size() + 1));
+    const double spacing = std::cbrt(size() / double(m_points.size() + 1));
     const double step = steps[number_below(9)] * spacing, s = m_setting.scale;
     std::normal_distribution<double> normal;
     const double x = between(-s, s), y = between(-s, s), z = between(-s, s);
@@ -289,7 +301,7 @@ private:
     const Coordinates x{p.x(), p.y(), p.z()};
     const double share = (std::max)({std::abs(determinant(x, b, c)), std::abs(determinant(a, x, c)),
                                      std::abs(determinant(a, b, x))});
-    return share > (100 + 4.0 * m_setting.far) * m_cell.volume();
+    return share > (100 + 4.0 * m_setting.far) * size();
   }
   static double determinant(const Coordinates& a, const Coordinates& b, const Coordinates& c)
   {
@@ -301,7 +313,7 @@ private:
   void change_cell()
   {
     std::array<Coordinates, 3> v{m_cell.a(), m_cell.b(), m_cell.c()};
-    const std::size_t i = number_below(3), j = (i + 1 + number_below(2)) % 3;
+    const std::size_t n = vectors(), i = number_below(n), j = (i + 1 + number_below(n - 1)) % n;
     const bool carries = number_below(4) > 0;
     const double grid = m_setting.grid;
     double strain = 0;
@@ -328,7 +340,8 @@ private:
     for (Coordinates& vector : v)
       vector = deformed(vector);
     double largest = 0, smallest = 1e300;
-    for (const Coordinates& vector : v) {
+    for (std::size_t k = 0; k < n; ++k) {
+      const Coordinates& vector = v[k];
       const double length =
           std::sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
       largest = (std::max)(largest, length);
@@ -336,7 +349,7 @@ private:
     }
     const Cell first = first_cell();
     double usual = 0;
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < n; ++k)
       usual = (std::max)(usual, std::sqrt(first.vector(k)[0] * first.vector(k)[0] +
                                           first.vector(k)[1] * first.vector(k)[1] +
                                           first.vector(k)[2] * first.vector(k)[2]));
@@ -345,7 +358,7 @@ private:
       strain = 0;
       factors = {1, 1, 1};
     }
-    m_cell = Cell(v[0], v[1], v[2]);
+    m_cell = cell_of(v);
     update([&](std::size_t, const Point& p) {
       const Point moved = carries ? point_at(deformed({p.x(), p.y(), p.z()})) : p;
       return is_far(moved) ? point_at({0, 0, 0}) : moved;

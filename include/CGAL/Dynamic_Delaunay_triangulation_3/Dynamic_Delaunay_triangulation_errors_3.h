@@ -90,8 +90,9 @@ private:
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Errors
 
-The vectors of a periodic cell in space are not finite, or in a plane, or doubles cannot tell how
-far points are apart in the cell.
+The vectors of a periodic cell in space are not finite, or in a plane, those of a slab parallel, or
+doubles cannot tell how far points are apart in the cell; or a cell cannot take the place of another
+one, since only one of them is a slab.
 */
 class Periodic_cell_error_3
   : public Dynamic_Delaunay_triangulations_2::internal::Error_with<
@@ -105,11 +106,18 @@ public:
             b[0], ", ", b[1], ", ", b[2], ") and (", c[0], ", ", c[1], ", ", c[2], "): ", demand)
   {
   }
+  // Of a slab.
+  Periodic_cell_error_3(const std::array<double, 3>& a, const std::array<double, 3>& b,
+                        const std::string& demand)
+    : Error({a, b, std::array<double, 3>{0, 0, 0}}, "a slab has the vectors (", a[0], ", ", a[1],
+            ", ", a[2], ") and (", b[0], ", ", b[1], ", ", b[2], "): ", demand)
+  {
+  }
   /// \endcond
 
   const std::array<double, 3>& a() const { return value<0>(); } ///< the first vector.
   const std::array<double, 3>& b() const { return value<1>(); } ///< the second vector.
-  const std::array<double, 3>& c() const { return value<2>(); } ///< the third vector.
+  const std::array<double, 3>& c() const { return value<2>(); } ///< the third one, 0 of a slab.
 };
 
 /*!

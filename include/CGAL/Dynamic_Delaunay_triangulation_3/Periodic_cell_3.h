@@ -12,8 +12,11 @@
 #include <CGAL/number_type_basic.h>
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <limits>
 #include <utility>
 
 namespace CGAL {
@@ -24,6 +27,9 @@ namespace CGAL {
 The cell of a periodic space: a parallelepiped, given by three vectors that are not in a plane, of
 any lengths, at any angles, in any order. Translations by integer combinations of these vectors map
 that space to itself.
+
+A cell can also be a slab, given by two vectors along which everything is repeated. Space is open
+across them, as between two walls, or around a film or a membrane.
 */
 class Periodic_cell_3
 {
@@ -57,6 +63,16 @@ public:
       throw Periodic_cell_error_3(a, b, c, "its vectors must not be in a plane");
   }
 
+  /// the slab that is repeated by these vectors, each given by its coordinates, and open across
+  /// them.
+  /// \throws Periodic_cell_error_3 if a number is not finite, or the vectors are parallel, or so
+  /// nearly that no double is the sine of their angle.
+  Periodic_cell_3(const Coordinates& a, const Coordinates& b)
+    : m_vectors{a, b, normal(a, b)}
+    , m_is_slab(true)
+  {
+  }
+
   /// the cell with these vectors, of any type with `x()`, `y()` and `z()`.
   /// \throws Periodic_cell_error_3 if a number is not finite, or the vectors are in a plane.
   template <class Vector, class = decltype(std::declval<const Vector&>().x())>
@@ -66,31 +82,79 @@ public:
   {
   }
 
+  /// the slab with these vectors, of any type with `x()`, `y()` and `z()`.
+  /// \throws Periodic_cell_error_3 as above.
+  template <class Vector, class = decltype(std::declval<const Vector&>().x())>
+  Periodic_cell_3(const Vector& a, const Vector& b)
+    : Periodic_cell_3(Coordinates{a.x(), a.y(), a.z()}, Coordinates{b.x(), b.y(), b.z()})
+  {
+  }
+
+  /// whether space is open across the first two vectors.
+  bool is_slab() const { return m_is_slab; }
+  /// the number of vectors along which everything is repeated: 3, or 2 of a slab.
+  int dimension() const { return m_is_slab ? 2 : 3; }
+
   const Coordinates& a() const { return m_vectors[0]; } ///< the first vector.
   const Coordinates& b() const { return m_vectors[1]; } ///< the second vector.
-  const Coordinates& c() const { return m_vectors[2]; } ///< the third vector.
+  /// the third vector, which in a slab is about a unit vector along the cross product of the
+  /// others.
+  const Coordinates& c() const { return m_vectors[2]; }
   /// the vector with this number, which is 0, 1 or 2.
   const Coordinates& vector(std::size_t number) const { return m_vectors[number]; }
 
-  /// the volume of the cell, rounded.
+  /// the volume of the cell, rounded; that of a slab is infinite.
   double volume() const
   {
+    if (m_is_slab)
+      return std::numeric_limits<double>::infinity();
     const auto minor = [this](std::size_t i, std::size_t j) {
       return b()[i] * c()[j] - b()[j] * c()[i];
     };
     return std::abs(a()[0] * minor(1, 2) + a()[1] * minor(2, 0) + a()[2] * minor(0, 1));
   }
 
-  /// whether both cells have the same vectors.
+  /// whether both cells have the same vectors, and both or neither of them is a slab.
   friend bool operator==(const Periodic_cell_3& c, const Periodic_cell_3& d)
   {
-    return c.m_vectors == d.m_vectors;
+    return c.m_vectors == d.m_vectors && c.m_is_slab == d.m_is_slab;
   }
   /// whether the cells differ.
   friend bool operator!=(const Periodic_cell_3& c, const Periodic_cell_3& d) { return !(c == d); }
 
 private:
+  // About a unit vector along a x b.
+  static Coordinates normal(const Coordinates& a, const Coordinates& b)
+  {
+    const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point arithmetic;
+    for (const Coordinates* const v : {&a, &b})
+      for (const double x : *v)
+        if (!std::isfinite(x))
+          throw Periodic_cell_error_3(a, b, "its numbers must be finite");
+    using Exact = internal::Exact_ring_selector<double>::Type;
+    const Coordinates p = scaled(a), q = scaled(b);
+    const auto minor = [&](std::size_t i, std::size_t j) {
+      return CGAL::to_double(Exact(p[i]) * Exact(q[j]) - Exact(p[j]) * Exact(q[i]));
+    };
+    const Coordinates cross = scaled({minor(1, 2), minor(2, 0), minor(0, 1)});
+    const double length = std::hypot(cross[0], cross[1], cross[2]);
+    if (!(length > 0))
+      throw Periodic_cell_error_3(a, b, "its vectors must not be parallel");
+    return {cross[0] / length, cross[1] / length, cross[2] / length};
+  }
+  // A vector in units of a power of two that is about as large as its largest coordinate.
+  static Coordinates scaled(const Coordinates& v)
+  {
+    const double largest = (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
+    if (!(largest > 0))
+      return v;
+    const int exponent = std::ilogb(largest);
+    return {std::scalbn(v[0], -exponent), std::scalbn(v[1], -exponent),
+            std::scalbn(v[2], -exponent)};
+  }
+
   std::array<Coordinates, 3> m_vectors;
+  bool m_is_slab = false;
 };
 
 } // namespace CGAL

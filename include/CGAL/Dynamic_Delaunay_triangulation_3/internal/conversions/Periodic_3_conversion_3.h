@@ -81,6 +81,8 @@ private:
   void find_domain()
   {
     const Periodic_cell_3& cell = m_pt.cell();
+    if (cell.is_slab())
+      throw Periodic_cell_error_3(cell.a(), cell.b(), "only a cube can be converted");
     std::array<bool, 3> is_taken{false, false, false};
     for (std::size_t i = 0; i < 3; ++i) {
       const Coordinates& v = cell.vector(i);

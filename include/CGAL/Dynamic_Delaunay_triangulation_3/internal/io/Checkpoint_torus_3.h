@@ -17,8 +17,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -26,7 +28,9 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 // Writes a torus: its cell and basis, points with the multiples that take them to their vertices,
-// and cells, each with the shifts of its last three vertices from the first one.
+// and cells, each with the shifts of its last three vertices from the first one. In a slab infinite
+// cells are among them, and the shifts of all four vertices are written: those of the infinite one
+// say whether it is above or below.
 template <class Traits, class ConcurrencyTag>
 class Checkpoint_writer_3<Torus_state_3<Traits, ConcurrencyTag>>
 {
@@ -45,8 +49,13 @@ public:
   {
     const Periodic_cell_3& cell = m_state.torus.cell();
     const Torus_3::Basis& basis = m_state.torus.basis();
-    m_file.line("cell", cell.a(), cell.b(), cell.c());
-    m_file.line("basis", basis);
+    if (cell.is_slab()) {
+      m_file.line("slab", cell.a(), cell.b());
+      m_file.line("basis", basis[0][0], basis[0][1], basis[1][0], basis[1][1]);
+    } else {
+      m_file.line("cell", cell.a(), cell.b(), cell.c());
+      m_file.line("basis", basis);
+    }
     m_file.line("reach", m_state.reach());
     Dynamic_Delaunay_triangulations_2::internal::write_points(
         m_file, m_state.ids,
@@ -60,9 +69,11 @@ public:
 
 private:
   static std::array<double, 3> coordinates(const Point& p) { return {p.x(), p.y(), p.z()}; }
-  static std::array<int, 3> numbers(Torus_shift_3 shift)
+  static std::array<int, 3> numbers(const Torus_site_3& s)
   {
-    const Multiples_3 m = shift.multiples();
+    if (s.is_infinite())
+      return {0, 0, s.is_above() ? 1 : -1};
+    const Multiples_3 m = s.shift.multiples();
     return {m[0], m[1], m[2]};
   }
 
@@ -71,10 +82,13 @@ private:
     const Torus_cells_3& arrays = m_state.arrays;
     m_file.line("cells", arrays.number_of_cells());
     for (Cell_index c(0); c < arrays.number_of_cells(); ++c) {
-      const Torus_cell_3& cell = arrays.cell(c);
-      const Vertices_3& v = cell.vertices;
-      m_file.line(v[0], v[1], v[2], v[3], numbers(cell.shifts[1]), numbers(cell.shifts[2]),
-                  numbers(cell.shifts[3]));
+      const Vertices_3& v = arrays.vertices(c);
+      const Torus_sites_3 s = arrays.sites(c);
+      if (m_state.torus.is_slab())
+        m_file.line(v[0], v[1], v[2], v[3], numbers(s[0]), numbers(s[1]), numbers(s[2]),
+                    numbers(s[3]));
+      else
+        m_file.line(v[0], v[1], v[2], v[3], numbers(s[1]), numbers(s[2]), numbers(s[3]));
     }
     m_file.line("corners", arrays.number_of_vertices() - 1);
     for (Vertex_index v(1); v < arrays.number_of_vertices(); ++v)
@@ -123,8 +137,10 @@ public:
   {
     const Point p = read_point();
     Multiples_3 multiples;
-    for (int& number : multiples)
-      number = m_file.number("the multiple", -most_multiple, most_multiple);
+    for (int i = 0; i < 3; ++i) {
+      const int most = i < m_state.torus.dimension() ? most_multiple : 0;
+      multiples[i] = m_file.number("the multiple", -most, most);
+    }
     m_points.push_back(p);
     m_places.emplace_back(approximation(p), multiples, m_state.torus);
     if (m_state.is_far(m_places.back().position))
@@ -154,21 +170,27 @@ private:
 
   Torus_3 read_torus()
   {
-    m_file.begin_entry("cell");
-    std::array<std::array<double, 3>, 3> vectors;
-    for (auto& vector : vectors)
-      for (double& x : vector)
+    m_file.next_line();
+    const std::string_view kind = m_file.word("the cell");
+    const bool is_slab = kind == "slab";
+    if (!is_slab && kind != "cell")
+      m_file.refuse("the first word", kind, "cell or slab");
+    const std::size_t dimension = is_slab ? 2 : 3;
+    std::array<std::array<double, 3>, 3> vectors{};
+    for (std::size_t i = 0; i < dimension; ++i)
+      for (double& x : vectors[i])
         x = m_file.finite("the coordinate of a vector");
     m_file.end_line();
     m_file.begin_entry("basis");
-    Torus_3::Basis basis;
+    Torus_3::Basis basis{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
     const int most = int(Torus_3::max_multiple) - 1;
-    for (auto& row : basis)
-      for (double& x : row)
-        x = m_file.number("the number of the basis", -most, most);
+    for (std::size_t i = 0; i < dimension; ++i)
+      for (std::size_t j = 0; j < dimension; ++j)
+        basis[i][j] = m_file.number("the number of the basis", -most, most);
     m_file.end_line();
     try {
-      const Periodic_cell_3 cell(vectors[0], vectors[1], vectors[2]);
+      const Periodic_cell_3 cell = is_slab ? Periodic_cell_3(vectors[0], vectors[1])
+                                           : Periodic_cell_3(vectors[0], vectors[1], vectors[2]);
       if (const std::optional<Torus_3> torus = Torus_3::with_basis(cell, basis))
         return *torus;
     } catch (const Periodic_cell_error_3& error) {
@@ -191,11 +213,12 @@ private:
 
   // CELLS -----------------------------------------------------------------------------------------
 
-  // A cell's facet. Its sites are in ascending order, moved so that the first one has no shift.
+  // A cell's facet. Its sites are in ascending order, moved so that the first finite one has no
+  // shift.
   struct Facet
   {
     Few<Torus_site_3, 3> sites;
-    Torus_shift_3 shift; // of the first one before
+    Torus_shift_3 shift; // of that one before
     Corner_index corner; // opposite to it
   };
 
@@ -218,21 +241,36 @@ private:
   void read_cell()
   {
     m_file.next_line();
+    const bool is_slab = m_state.torus.is_slab();
+    const Index first(is_slab ? 0 : 1);
     Torus_sites_3 sites;
     for (Torus_site_3& s : sites)
-      s.vertex = Vertex_index(m_file.number("the vertex", Index(1), m_state.number_of_vertices()));
+      s.vertex = Vertex_index(m_file.number("the vertex", first, m_state.number_of_vertices()));
     sites[0].shift = {};
-    for (int i = 1; i < 4; ++i) {
-      Multiples_3 m;
-      for (int& number : m)
-        number = m_file.number("the shift", -most_shift, most_shift);
-      sites[i].shift = Torus_shift_3::of(m);
-    }
+    for (int i = is_slab ? 0 : 1; i < 4; ++i)
+      read_shift(sites[i]);
     m_file.end_line();
-    for (int i = 0; i < 4; ++i)
-      if (std::count(sites.begin(), sites.end(), sites[i]) > 1)
+    int infinite = 0;
+    for (const Torus_site_3& s : sites) {
+      infinite += s.is_infinite();
+      if (std::count(sites.begin(), sites.end(), s) > 1 || infinite > 1)
         m_file.refuse("the cell has an image of a vertex twice");
+    }
     m_state.arrays.set_sites(m_state.arrays.make_cell(), sites);
+  }
+  void read_shift(Torus_site_3& s)
+  {
+    Multiples_3 m;
+    for (int& number : m)
+      number = m_file.number("the shift", -most_shift, most_shift);
+    s.shift = Torus_shift_3::of(m);
+    if (s.is_infinite()) {
+      if (m[0] != 0 || m[1] != 0 || std::abs(m[2]) != 1)
+        m_file.refuse("the shift of the infinite vertex has to be 0 0 1 or 0 0 -1");
+      s = m[2] > 0 ? Torus_site_3::above() : Torus_site_3::below();
+    } else if (m_state.torus.is_slab() && m[2] != 0) {
+      m_file.refuse("the third number of a shift in a slab has to be 0");
+    }
   }
 
   // Finds the mirrors of corners: each facet belongs to two of them, also of one cell.
@@ -260,9 +298,9 @@ private:
         Facet facet{
             {s[i == 0], s[i <= 1 ? 2 : 1], s[i <= 2 ? 3 : 2]}, {}, m_state.arrays.corner(c, i)};
         std::sort(facet.sites.begin(), facet.sites.end());
-        facet.shift = facet.sites[0].shift;
+        facet.shift = facet.sites[facet.sites[0].is_infinite() ? 1 : 0].shift;
         for (Torus_site_3& site : facet.sites)
-          site.shift = site.shift - facet.shift;
+          site = site - facet.shift;
         facets.push_back(facet);
       }
     std::sort(facets.begin(), facets.end(), [](const Facet& f, const Facet& g) {

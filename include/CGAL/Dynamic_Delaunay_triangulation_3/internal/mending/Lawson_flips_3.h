@@ -26,11 +26,13 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // 1996). Flips may get stuck where several vertices of a facet are in each other's way; such facets
 // are remembered.
 //
-// On a torus the same is done with images in the place of vertices, as one chart sees them; there
-// are no infinite cells. A flip replaces cells that are no images of each other, so that all images
-// are flipped at once. For no cell is its own neighbor, by a translation t: of its sites x, y and z
-// at that facet, x - t, y - t and z - t would be sites, too, so two of them again x, y or z; then
-// x, y and z are in one line, t apart, wherever they are, and no cell is ever made flat.
+// On a torus the same is done with images in the place of vertices, as one chart sees them. A flip
+// replaces cells that are no images of each other, so that all images are flipped at once. For no
+// cell is its own neighbor, by a translation t: of its sites x, y and z at that facet, x - t, y - t
+// and z - t would be sites, too, so two of them again x, y or z; then x, y and z are in one line, t
+// apart, wherever they are, and no cell is ever made flat. In a slab, where translations leave a
+// point at infinity in the place of z where it is, x, y, x - t and y - t would be three finite
+// sites in one line.
 template <class State>
 class Lawson_flips_3
 {
@@ -197,13 +199,15 @@ private:
         other, arrays().place_of(other, Arrays::translated_back(s, arrays().translation(k))));
   }
 
-  // Whether the two cells at a facet have a neighbor in common, opposite to the vertex at `side`.
-  // On a torus that is so in one chart: if another image of it, by a translation t, were beyond one
-  // of the facets, it would have both ends of the edge, and both ends plus t, which are coplanar.
+  // Whether the two cells at a facet have a neighbor in common, opposite to the vertex at `side`,
+  // in one chart. (Around an edge to a point at infinity of a slab there may be several images of
+  // it.)
   bool have_common_neighbor(Corner_index k, int side) const
   {
-    return Arrays::cell_of(arrays().mirror(opposite_in_mirror(k, side))) ==
-           arrays().neighbor(Arrays::cell_of(k), side);
+    const Corner_index first = Arrays::corner(Arrays::cell_of(k), side);
+    const Corner_index second = opposite_in_mirror(k, side);
+    return Arrays::cell_of(arrays().mirror(first)) == Arrays::cell_of(arrays().mirror(second)) &&
+           arrays().translation(first) == arrays().translation(k) + arrays().translation(second);
   }
 
   bool flip_illegal(Corner_index k)

@@ -60,7 +60,10 @@ struct Torus_point_3
   Position_3 rounded{0, 0, 0};
 };
 
-// The flat torus of three dimensions: space, in which the lattice of a cell identifies points.
+// The flat torus of three dimensions: space, in which the lattice of a cell identifies points. Or a
+// slab, whose lattice has two vectors. In the place of the third one it has the normal of these;
+// all multiples and fractions of it are 0, but for multiples that stand for points at infinity,
+// above the slab or below it.
 //
 // All multiples and shifts inside of the package refer to a basis of that lattice, which is short
 // when it is chosen. Its vectors are integer combinations of the cell's, and in general no doubles.
@@ -126,10 +129,13 @@ public:
 
   const Periodic_cell_3& cell() const { return m_cell; }
   const Basis& basis() const { return m_basis; } // of each vector, multiples of the cell's
+  bool is_slab() const { return m_cell.is_slab(); }
+  int dimension() const { return m_cell.dimension(); }
   const Position_3& vector(int i) const { return m_vectors[std::size_t(i)]; }
   const Exact_vector_3& exact_vector(int i) const { return m_exact_vectors[std::size_t(i)]; }
+  // That of the cell; of a slab the area of its basis' parallelogram.
   double volume() const { return std::abs(m_determinant); }
-  // The distance between opposite faces of the basis' parallelepiped.
+  // The distance between opposite faces of the basis' parallelepiped, or sides of a parallelogram.
   double height(int i) const { return 1 / std::sqrt(squared_length(m_inverse[std::size_t(i)])); }
 
   // A combination of the basis, rounded.
@@ -146,6 +152,14 @@ public:
   Position_3 fractions(const Position_3& v) const
   {
     return {product(m_inverse[0], v), product(m_inverse[1], v), product(m_inverse[2], v)};
+  }
+  // How far a vector goes along the normal of a slab, rounded.
+  double elevation(const Position_3& v) const { return product(m_vectors[2], v); }
+  // Where a position of the other torus is when its basis moves to this one's, rounded.
+  Position_3 carried(const Position_3& p, const Torus_3& from) const
+  {
+    const Position_3 along = combination(from.fractions(p));
+    return is_slab() ? along + from.elevation(p) * m_vectors[2] : along;
   }
   static Multiples_3 nearest(const Position_3& fractions)
   {
@@ -192,6 +206,11 @@ public:
         v.z = v.z + times * w.z;
       }
     return v;
+  }
+  // 1 if a point stands for the one at infinity above a slab, -1 for the one below, else 0.
+  int end_of_space(const Torus_point_3& p) const
+  {
+    return !is_slab() ? 0 : p.multiples[2] > 0 ? 1 : p.multiples[2] < 0 ? -1 : 0;
   }
   bool coincide(const Torus_point_3& p, const Torus_point_3& q) const
   {
@@ -260,6 +279,8 @@ private:
   }
   [[noreturn]] static void refuse(const Periodic_cell_3& cell, const char* demand)
   {
+    if (cell.is_slab())
+      throw Periodic_cell_error_3(cell.a(), cell.b(), demand);
     throw Periodic_cell_error_3(cell.a(), cell.b(), cell.c(), demand);
   }
 
@@ -267,11 +288,12 @@ private:
   {
     double most = 0, largest_of_cell = 0;
     m_largest = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t vectors = std::size_t(dimension());
+    for (std::size_t i = 0; i < vectors; ++i) {
       std::array<double, 3> sum{0, 0, 0};
       std::array<Exact_number_3, 3> exact{Exact_number_3(0), Exact_number_3(0), Exact_number_3(0)};
       double number = 0;
-      for (std::size_t j = 0; j < 3; ++j) {
+      for (std::size_t j = 0; j < vectors; ++j) {
         number += std::abs(m_basis[i][j]);
         for (std::size_t k = 0; k < 3; ++k) {
           sum[k] += m_basis[i][j] * m_cell.vector(j)[k];
@@ -286,10 +308,21 @@ private:
         m_largest = (std::max)(m_largest, std::abs(x));
     }
     m_error = 0x1p-51 * most * largest_of_cell;
+    if (is_slab())
+      set_normal();
     m_determinant = product(m_vectors[0], cross_product(m_vectors[1], m_vectors[2]));
     for (std::size_t i = 0; i < 3; ++i)
       m_inverse[i] =
           (1 / m_determinant) * cross_product(m_vectors[(i + 1) % 3], m_vectors[(i + 2) % 3]);
+    if (is_slab())
+      m_inverse[2] = {0, 0, 0};
+  }
+  // Of the length 1, where it is rounded.
+  void set_normal()
+  {
+    const Position_3 normal = cross_product(m_vectors[0], m_vectors[1]);
+    m_vectors[2] = (1 / std::sqrt(squared_length(normal))) * normal;
+    m_exact_vectors[2] = cross(m_exact_vectors[0], m_exact_vectors[1]);
   }
 
   void set_near()
@@ -322,7 +355,7 @@ private:
   {
     if (!other.is_measurable())
       return false;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < std::size_t(dimension()); ++i) {
       const Position_3 f = fractions(other.m_vectors[i] - m_vectors[i]);
       if (!(std::abs(f.x) < 0.75 && std::abs(f.y) < 0.75 && std::abs(f.z) < 0.75))
         return false;
@@ -332,8 +365,8 @@ private:
 
   Basis nearest_multiples(const std::array<Position_3, 3>& vectors) const
   {
-    Basis nearest;
-    for (std::size_t i = 0; i < 3; ++i) {
+    Basis nearest = unit_basis();
+    for (std::size_t i = 0; i < std::size_t(dimension()); ++i) {
       const Position_3 f = fractions(vectors[i]);
       if (!is_small(f))
         return {}; // of determinant 0
@@ -354,6 +387,8 @@ private:
   }
   bool shorten_one()
   {
+    if (is_slab())
+      return shorten_one_of_two();
     std::array<double, 3> squares;
     for (std::size_t i = 0; i < 3; ++i)
       squares[i] = squared_length(m_vectors[i]);
@@ -382,6 +417,16 @@ private:
           return true;
         }
     return false;
+  }
+  bool shorten_one_of_two()
+  {
+    const double squares[] = {squared_length(m_vectors[0]), squared_length(m_vectors[1])};
+    const std::size_t shortest = squares[1] < squares[0] ? 1 : 0, longest = 1 - shortest;
+    const double number = product(m_vectors[0], m_vectors[1]) / squares[shortest];
+    if (!is_too_much(number))
+      return false;
+    take(longest, {shortest, std::rint(number)}, {shortest, 0});
+    return true;
   }
   // Whether a projection can be made clearly shorter.
   static bool is_too_much(double multiple) { return std::abs(multiple) > 0.501; }

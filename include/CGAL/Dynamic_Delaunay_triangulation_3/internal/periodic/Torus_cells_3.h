@@ -41,12 +41,15 @@ struct alignas(64) Torus_cell_3
 // A triangulated torus of three dimensions: one cell for each class of cells in space that are
 // images of each other. Vertices have the numbers from 1 on.
 //
-// Each cell has a chart of its own, in which its vertices have shifts; the first one's is 0. At
-// each corner it knows the mirror corner in the neighbor, and the translation that takes the
-// neighbor's chart to its own: a site of the neighbor with the shift s has the shift s +
+// Each cell has a chart of its own, in which its vertices have shifts; that of the first finite one
+// is 0. At each corner it knows the mirror corner in the neighbor, and the translation that takes
+// the neighbor's chart to its own: a site of the neighbor with the shift s has the shift s +
 // translation here. So nothing has to be found by comparing vertices, and a cell may have several
 // images of a vertex, or be another's neighbor several times; it is never its own (see
 // `Lawson_flips_3.h`).
+//
+// In a slab there are infinite cells, too: each facet of the hull has one with the point at
+// infinity that is above or below. Translations leave these two points where they are.
 class Torus_cells_3 : public Cell_arrays_3<Torus_cell_3>
 {
 public:
@@ -55,14 +58,16 @@ public:
   using Translation = Torus_shift_3;
 
   static Vertex_index vertex_of(const Site& s) { return s.vertex; }
-  static bool is_infinite(const Site&) { return false; } // as there is no hull
-  static bool is_infinite(Cell_index) { return false; }
-  // A site as seen in the chart that the translation takes to this one.
-  static Site translated_back(const Site& s, Translation translation)
+  static bool is_infinite(const Site& s) { return s.is_infinite(); }
+  bool is_infinite(Cell_index c) const
   {
-    return {s.vertex, s.shift - translation};
+    const Vertices_3& v = vertices(c);
+    const auto is_at = [&](int place) { return int(v[place] == infinite_index); };
+    return (is_at(0) | is_at(1) | is_at(2) | is_at(3)) != 0;
   }
-  // What takes a site of one chart to another image of it.
+  // A site as seen in the chart that the translation takes to this one.
+  static Site translated_back(const Site& s, Translation translation) { return s - translation; }
+  // What takes a finite site of one chart to another image of it.
   static Translation translation(const Site& from, const Site& to) { return to.shift - from.shift; }
   Translation translation(Corner_index k) const
   {
@@ -75,10 +80,13 @@ public:
     const Cell& cell = m_cells[cell_of(k)];
     return {cell.vertices[place_of(k)], cell.shifts[place_of(k)]};
   }
-  Torus_site_3 apex_site(Corner_index k) const
+  Torus_site_3 apex_site(Corner_index k) const { return site(mirror(k)) + translation(k); }
+  // The place of a finite vertex, of which every cell has three.
+  static int first_finite_place(const Vertices_3& v) { return v[0] == infinite_index ? 1 : 0; }
+  // That with the shift 0.
+  Torus_site_3 first_finite_site(Cell_index c) const
   {
-    const Torus_site_3 beyond = site(mirror(k));
-    return {beyond.vertex, beyond.shift + translation(k)};
+    return site(corner(c, first_finite_place(vertices(c))));
   }
   Torus_sites_3 sites(Cell_index c) const { return m_cells[c].sites(); }
   // The place of a site in a cell, or 4.
@@ -139,7 +147,7 @@ public:
     Few<Outer_facet, 6> outer;
     for (int n = 0; n < 3; ++n) {
       const Torus_site_3 s = a[around[n]];
-      const int below = place_of(second, {s.vertex, s.shift - of_second});
+      const int below = place_of(second, s - of_second);
       outer[2 * n] = {corner(first, around[n]), corner(flipped.cells[n], around[n]), {}};
       outer[2 * n + 1] = {corner(second, below), corner(flipped.cells[n], top), of_second};
     }
@@ -175,7 +183,7 @@ public:
       ++p;
     const int q = 6 - top - side - p;
     const auto opposite_to = [&](Cell_index c, Torus_shift_3 shift, const Torus_site_3& s) {
-      return corner(c, place_of(c, {s.vertex, s.shift - shift}));
+      return corner(c, place_of(c, s - shift));
     };
     Few<Outer_facet, 6> outer{{
         {corner(first, q), corner(first, q), {}},
@@ -237,15 +245,15 @@ public:
     }
   }
 
-  // Moves the chart of a cell, so that its first vertex has the shift 0.
+  // Moves the chart of a cell, so that its first finite vertex has the shift 0.
   void normalize(Cell_index c)
   {
-    const Torus_shift_3 shift = m_cells[c].shifts[0];
+    const Torus_shift_3 shift = first_finite_site(c).shift;
     if (shift == Torus_shift_3())
       return;
     record(c);
-    for (Torus_shift_3& s : m_cells[c].shifts)
-      s = s - shift;
+    for (int i = 0; i < 4; ++i)
+      m_cells[c].shifts[i] = (site(corner(c, i)) - shift).shift;
     for (int i = 0; i < 4; ++i) {
       const Corner_index l = m_cells[c].mirrors[i];
       record(cell_of(l));
@@ -255,7 +263,7 @@ public:
     }
   }
 
-  // Adds shifts to the images of all vertices.
+  // Adds shifts to the images of all vertices; that of the infinite one must be 0.
   void shift_vertices(const Column<Vertex_index, Torus_shift_3>& shifts)
   {
     for (Cell& cell : m_cells)

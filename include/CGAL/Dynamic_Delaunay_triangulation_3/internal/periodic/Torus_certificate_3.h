@@ -21,6 +21,12 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // Cells that fit together and are positive cover every point equally often, but for those on
 // facets; so how often they do is the sum of their volumes, divided by the torus' volume. It is an
 // integer, and flips and motion do not change it while all cells stay positive.
+//
+// An infinite cell of a slab is the prism over its hull facet, along the normal. Far above the
+// slab there are only those, with the point above; so the areas of their bases, as seen along the
+// normal, take the place of volumes. What is above covers as often as what is below: the areas of a
+// cell's facets, as seen from one side, add up to 0. So flips do not change that number either, and
+// motion does not, as it is the degree of a map from the hull above to the torus of both vectors.
 template <class State>
 class Torus_certificate_3
 {
@@ -64,7 +70,7 @@ public:
   {
     Column<Vertex_index, char> is_there(arrays().number_of_vertices(), 0);
     for (Cell_index c(0); c < arrays().number_of_cells(); ++c) {
-      if (arrays().is_free(c) || arrays().cell(c).shifts[0] != Torus_shift_3())
+      if (arrays().is_free(c) || arrays().first_finite_site(c).shift != Torus_shift_3())
         return false;
       for (int i = 0; i < 4; ++i) {
         const Corner_index k = Arrays::corner(c, i);
@@ -84,6 +90,8 @@ public:
   // their volumes is nearer to its volume than to all its multiples.
   bool covers_once() const
   {
+    if (m_state.torus.is_slab())
+      return covers_slab_once();
     const double whole = 6 * m_state.torus.volume(), error = std::sqrt(m_state.squared_error);
     double sum = 0, uncertainty = 0;
     for (Cell_index c(0); c < arrays().number_of_cells(); ++c) {
@@ -124,8 +132,7 @@ private:
         continue;
       }
       const Torus_site_3 s = arrays().site(Arrays::corner(Arrays::cell_of(k), i));
-      places[i] =
-          arrays().place_of(Arrays::cell_of(l), {s.vertex, s.shift - arrays().translation(k)});
+      places[i] = arrays().place_of(Arrays::cell_of(l), s - arrays().translation(k));
       if (places[i] == 4 || places[i] == Arrays::place_of(l))
         return false;
     }
@@ -157,6 +164,56 @@ private:
         Exact_number_3(6) *
         dot(torus.exact_vector(0), cross(torus.exact_vector(1), torus.exact_vector(2)));
     return sum == whole || CGAL::is_zero(sum + whole);
+  }
+
+  // The same of a slab, by the doubled areas of the prisms' bases above it. Where rounding does not
+  // tell, it is exact.
+  bool covers_slab_once() const
+  {
+    const Torus_3& torus = m_state.torus;
+    const double whole = 2 * torus.volume(), error = std::sqrt(m_state.squared_error);
+    const Position_3& n = torus.vector(2);
+    double sum = 0, uncertainty = 0;
+    for_each_base_above([&](const Few<Torus_site_3, 3>& s) {
+      const Position_3 a = m_state.position(s[0]), u = m_state.position(s[1]) - a,
+                       v = m_state.position(s[2]) - a;
+      sum += n.x * (u.y * v.z - u.z * v.y) + n.y * (u.z * v.x - u.x * v.z) +
+             n.z * (u.x * v.y - u.y * v.x);
+      const double length = std::sqrt((std::max)(squared_length(u), squared_length(v))) + error;
+      uncertainty += length * (0x1p-9 * length + 4 * error);
+    });
+    // the normal of a measurable basis is off by less than 2^-10
+    if (std::isfinite(sum) && uncertainty < whole / 16)
+      return std::abs(sum - whole) < whole / 4;
+    return covers_slab_once_exactly();
+  }
+  bool covers_slab_once_exactly() const
+  {
+    const Torus_3& torus = m_state.torus;
+    const Exact_vector_3& n = torus.exact_vector(2);
+    Exact_number_3 sum = 0;
+    for_each_base_above([&](const Few<Torus_site_3, 3>& s) {
+      const Torus_point_3 a = m_state.image(s[0]);
+      sum = sum + dot(n, cross(torus.exact_vector(a, m_state.image(s[1])),
+                               torus.exact_vector(a, m_state.image(s[2]))));
+    });
+    return sum == Exact_number_3(2) * dot(n, n);
+  }
+  // Calls f(sites) for the base of each infinite cell above the slab, counterclockwise as seen from
+  // there.
+  template <class Function>
+  void for_each_base_above(const Function& f) const
+  {
+    for (Cell_index c(0); c < arrays().number_of_cells(); ++c) {
+      const int place = arrays().place_of(c, Torus_site_3::above());
+      if (place == 4)
+        continue;
+      const auto site = [&](int n) { return arrays().site(Arrays::corner(c, (place + n) % 4)); };
+      if (place % 2 == 0)
+        f({site(1), site(3), site(2)});
+      else
+        f({site(1), site(2), site(3)});
+    }
   }
 
   const State& m_state;

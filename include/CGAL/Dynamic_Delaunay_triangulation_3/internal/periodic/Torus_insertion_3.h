@@ -19,8 +19,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 // Inserts vertices into Delaunay cells of a torus: the cells whose spheres contain an image of the
 // vertex are replaced by cells from their boundary to it. That fails if two of these cells are
-// images of each other, or of neighbors, as among few points: then the images of the vertex are in
-// each other's way.
+// images of each other, or of neighbors, as among few points, or above all others in a slab: then
+// the images of the vertex are in each other's way.
 template <class State>
 class Torus_insertion_3
 {
@@ -45,7 +45,8 @@ public:
     const auto [c, site] = locate(v);
     if (!is_in_conflict(c, site)) // only vertices of a cell are in it and on its sphere
       for (const Torus_site_3& s : arrays().sites(c))
-        if (m_signs.predicates().coincide(m_state.image(s), m_state.image(site)))
+        if (!s.is_infinite() &&
+            m_signs.predicates().coincide(m_state.image(s), m_state.image(site)))
           return s.vertex;
     if (!find_conflicts(c, site))
       return std::nullopt;
@@ -75,7 +76,7 @@ private:
   std::pair<Cell_index, Torus_site_3> locate(Vertex_index v)
   {
     Cell_index c = m_last;
-    const Torus_site_3 start = arrays().site(Arrays::corner(c, 0));
+    const Torus_site_3 start = arrays().first_finite_site(c);
     const Position_3 way = m_state.position(start) - m_state.positions.position(v);
     const Multiples_3 nearest = Torus_3::nearest(m_state.torus.fractions(way));
     Torus_site_3 site{v, Torus_shift_3::of(nearest)};
@@ -156,7 +157,7 @@ private:
       m_made.push_back(n < m_conflicts.size() ? m_conflicts[n].cell : arrays().make_cell());
       Torus_sites_3 sites = arrays().sites(Arrays::cell_of(k));
       for (Torus_site_3& s : sites)
-        s.shift = s.shift - shift;
+        s = s - shift;
       sites[Arrays::place_of(k)] = {v, {}};
       m_sites.push_back(sites);
       m_outer.push_back({k, Arrays::corner(m_made[n], Arrays::place_of(k)), -shift});

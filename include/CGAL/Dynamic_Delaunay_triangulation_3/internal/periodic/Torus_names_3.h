@@ -40,7 +40,7 @@ public:
     }
   };
 
-  static bool is_infinite(const Torus_site_3&) { return false; }
+  static bool is_infinite(const Torus_site_3& s) { return s.is_infinite(); }
   // Of all images of a simplex, whose names are in order, takes that whose first shift is 0.
   template <class Simplex>
   static void normalize(Simplex& simplex)

@@ -11,7 +11,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
@@ -45,6 +47,11 @@ public:
 
 // The Delaunay triangulation of a finite set of images in open space. Its vertices have the numbers
 // from 1 on.
+//
+// Points at infinity may be the last sites, where all images are in a plane along a slab. Points on
+// their sides of that plane stand for them, at a distance of H. An empty circle in the plane, with
+// a radius r and a center at the distance d from under these points, has an empty sphere through
+// each of them, if that does not contain the other one: if d^2 + H^2 > r^2.
 template <class State>
 class Torus_patch_3
 {
@@ -83,7 +90,8 @@ public:
     std::vector<Vertex_index> first;
     for (Vertex_index v(1); v <= sites.size(); ++v) {
       m_sites[v] = sites[v - 1];
-      m_images.points[v] = m_state.image(m_sites[v]);
+      m_images.points[v] = m_sites[v].is_infinite() ? end_beside(sites, m_sites[v].is_above())
+                                                    : m_state.image(m_sites[v]);
       first.push_back(v);
     }
     if (!begins_with_a_cell(m_images, first))
@@ -104,6 +112,23 @@ public:
   }
 
 private:
+  // A point above the sites of a slab, or below them, as far away as images by their shifts are.
+  Torus_point_3 end_beside(const std::vector<Torus_site_3>& sites, bool is_above) const
+  {
+    const Torus_3& torus = m_state.torus;
+    double reach = 0;
+    for (const Torus_site_3& s : sites)
+      if (!s.is_infinite()) {
+        const Multiples_3 m = s.shift.multiples();
+        reach = (std::max)(reach,
+                           (1.0 + std::abs(m[0])) * std::sqrt(squared_length(torus.vector(0))) +
+                               (1.0 + std::abs(m[1])) * std::sqrt(squared_length(torus.vector(1))));
+      }
+    const Position_3 p =
+        m_state.positions.position(sites[0].vertex) + (is_above ? reach : -reach) * torus.vector(2);
+    return Torus_point_3(p.x, p.y, p.z);
+  }
+
   const State& m_state;
   Patch_state_3 m_images;
   Arrays m_arrays;

@@ -138,6 +138,17 @@ private:
 // sets has at most two points, which are on a line; across this line it has no variance, nor then
 // has the other set, whose points are on the line, too. But no four of the points are on a line; so
 // one of the sets is a single point, both have no variance at all, and points coincide.
+//
+// Points at infinity. Let P be the point s n above a slab, where n is its normal, or -s n below it;
+// a sign is that for all large s, so that of the coefficient of the highest power of s.
+// - orientation is linear in P: with n in the place of a vector to P, it has this coefficient.
+//   With both of them in a cell, it is 0.
+// - In the in-sphere determinant of a, b, c, P and e, P is lifted to s^2 n^2, times the orientation
+//   of a, b, c and e. If that is not 0, e is inside if it is beyond the plane of a, b and c, on the
+//   side of P. If it is, no lifting of P counts, and the rest is linear in P: with n in its place,
+//   it says whether e is inside of the circle of a, b and c, and of the perturbed one where there
+//   are ties. Four points in a plane have one affine dependency, too, so this is unique as above.
+// - P is outside of all spheres.
 class Torus_predicates_3
 {
 public:
@@ -163,12 +174,13 @@ public:
   int exact_orientation(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
                         const Torus_point_3& s) const
   {
-    return int(CGAL::sign(dot(m_torus.exact_vector(p, q),
-                              cross(m_torus.exact_vector(p, r), m_torus.exact_vector(p, s)))));
+    if (is_at_infinity(p))
+      return is_at_infinity(q) ? 0 : -exact_orientation(q, p, r, s);
+    return int(CGAL::sign(dot(exact_way(p, q), cross(exact_way(p, r), exact_way(p, s)))));
   }
 
-  // 1 if t is inside of the sphere of the others, if these are positively oriented. 0 only if all
-  // are coplanar, or two coincide.
+  // 1 if t is inside of the sphere of the others, if these are positively oriented; one of them at
+  // most is at infinity. 0 only if all are coplanar, or two coincide.
   int side_of_sphere(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
                      const Torus_point_3& s, const Torus_point_3& t) const
   {
@@ -186,8 +198,14 @@ public:
   int exact_side_of_sphere(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
                            const Torus_point_3& s, const Torus_point_3& t) const
   {
-    return exact_side_of_sphere(m_torus.exact_vector(p, q), m_torus.exact_vector(p, r),
-                                m_torus.exact_vector(p, s), m_torus.exact_vector(p, t));
+    if (is_at_infinity(t))
+      return -1;
+    if (is_at_infinity(p))
+      return -exact_side_of_sphere(q, p, r, s, t);
+    if (m_torus.is_slab())
+      if (const int side = side_beyond(p, q, r, s, t))
+        return side;
+    return exact_side_of_sphere(exact_way(p, q), exact_way(p, r), exact_way(p, s), exact_way(p, t));
   }
 
   bool coincide(const Torus_point_3& p, const Torus_point_3& q) const
@@ -236,6 +254,27 @@ private:
   {
     const Position_3 v = to - from;
     return {v.x, v.y, v.z};
+  }
+
+  bool is_at_infinity(const Torus_point_3& p) const { return m_torus.end_of_space(p) != 0; }
+  // The vector from one point to another, or along the way to one at infinity.
+  Exact_vector_3 exact_way(const Torus_point_3& from, const Torus_point_3& to) const
+  {
+    const int end = m_torus.end_of_space(to);
+    if (end == 0)
+      return m_torus.exact_vector(from, to);
+    const Exact_vector_3& n = m_torus.exact_vector(2);
+    return end > 0 ? n : Exact_vector_3{-n.x, -n.y, -n.z};
+  }
+  // 1 if t is beyond the plane of three points, on the side of a fourth one at infinity, -1 if it
+  // is on the other side. 0 if it is in that plane, or no point is at infinity.
+  int side_beyond(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+                  const Torus_point_3& s, const Torus_point_3& t) const
+  {
+    return is_at_infinity(q)   ? orientation(p, t, r, s)
+           : is_at_infinity(r) ? orientation(p, q, t, s)
+           : is_at_infinity(s) ? orientation(p, q, r, t)
+                               : 0;
   }
 
   static int exact_side_of_sphere(const Exact_vector_3& b, const Exact_vector_3& c,

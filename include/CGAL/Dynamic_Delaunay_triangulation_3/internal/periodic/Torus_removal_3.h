@@ -19,7 +19,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // open space alone; of these cells, those inside of the hole fill it. As there are no ties, they
 // have each facet of the hole.
 //
-// That fails where a cell has two images of the vertex: then holes are in each other's way.
+// That fails where a cell has two images of the vertex: then holes are in each other's way. It
+// fails in holes without end, too, those of vertices on the hull of a slab.
 template <class State>
 class Torus_removal_3
 {
@@ -68,7 +69,7 @@ private:
     for (const Cell_index c : m_hole) {
       const Torus_sites_3 sites = arrays().sites(c);
       const auto is_image = [v](const Torus_site_3& s) { return s.vertex == v; };
-      if (std::count_if(sites.begin(), sites.end(), is_image) > 1)
+      if (std::count_if(sites.begin(), sites.end(), is_image) > 1 || arrays().is_infinite(c))
         return false;
       const int place = int(std::find_if(sites.begin(), sites.end(), is_image) - sites.begin());
       Border border{sites, Arrays::corner(c, place), sites[place].shift};

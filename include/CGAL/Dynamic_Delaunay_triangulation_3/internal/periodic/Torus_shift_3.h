@@ -28,6 +28,10 @@ struct Torus_shift_3
 {
   int code = 0;
 
+  // Of the point above a slab. A pass takes it for a large shift, and leaves it to exact
+  // predicates.
+  static constexpr int beyond = 8 * 0x100000;
+
   static Torus_shift_3 of(const Multiples_3& m) { return {m[0] + 0x400 * m[1] + 0x100000 * m[2]}; }
 
   Multiples_3 multiples() const
@@ -50,11 +54,28 @@ private:
 
 using Shifts_3 = Few<Torus_shift_3, 4>;
 
-// An image of a vertex.
+// An image of a vertex; or one of the two points at infinity of a slab, above or below it, which
+// are sites of the infinite vertex.
 struct Torus_site_3
 {
+  static Torus_site_3 above() { return {Vertex_index(infinite_index), {Torus_shift_3::beyond}}; }
+  static Torus_site_3 below() { return {Vertex_index(infinite_index), {-Torus_shift_3::beyond}}; }
+
   Vertex_index vertex;
   Torus_shift_3 shift;
+
+  bool is_infinite() const { return vertex == infinite_index; }
+  bool is_above() const { return shift.code > 0; } // if it is infinite
+
+  // The image by a translation, which leaves points at infinity where they are.
+  friend Torus_site_3 operator+(const Torus_site_3& s, Torus_shift_3 translation)
+  {
+    return {s.vertex, s.is_infinite() ? s.shift : s.shift + translation};
+  }
+  friend Torus_site_3 operator-(const Torus_site_3& s, Torus_shift_3 translation)
+  {
+    return s + -translation;
+  }
 
   friend bool operator==(const Torus_site_3& a, const Torus_site_3& b)
   {

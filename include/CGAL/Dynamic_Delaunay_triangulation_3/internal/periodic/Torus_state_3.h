@@ -72,10 +72,13 @@ public:
     m_positions[v] = place.position;
     m_bases[v] = {place.base, place.multiples};
   }
+  // At least one. Nowhere is the infinite vertex, so floating point proves nothing of it.
   void resize(Index number)
   {
     m_positions.resize(number);
     m_bases.resize(number);
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    m_positions[Vertex_index(infinite_index)] = {nan, nan, nan};
   }
   void swap(Torus_positions_3& other)
   {
@@ -135,6 +138,11 @@ public:
     set_cell(state);
     if (cell == state.torus.cell())
       return;
+    if (cell.is_slab() && !state.torus.is_slab())
+      throw Periodic_cell_error_3(cell.a(), cell.b(), "a cell cannot become a slab");
+    if (!cell.is_slab() && state.torus.is_slab())
+      throw Periodic_cell_error_3(cell.a(), cell.b(), cell.c(),
+                                  "a slab cannot become a cell with three vectors");
     m_torus = state.torus.moved_to(cell);
     m_can_mend = m_torus.has_value();
     if (!m_torus)
@@ -155,7 +163,7 @@ public:
       return false;
     const Torus_3& torus = m_torus ? *m_torus : state.torus;
     const Position_3 position = state.positions.position(v);
-    const Position_3 from = m_torus ? torus.combination(state.torus.fractions(position)) : position;
+    const Position_3 from = m_torus ? torus.carried(position, state.torus) : position;
     positions.set(v, Torus_place_3(base, Torus_3::nearest(torus.fractions(from - base)), torus));
     return true;
   }
@@ -209,8 +217,7 @@ public:
   void carry(const State& state)
   {
     for (Vertex_index v(1); m_torus && v < positions.number(); ++v)
-      positions.set(
-          v, Torus_place_3(state.torus.combination(m_torus->fractions(positions.position(v)))));
+      positions.set(v, Torus_place_3(state.torus.carried(positions.position(v), *m_torus)));
   }
 
   Torus_positions_3 positions;
@@ -222,8 +229,9 @@ private:
   bool m_can_mend = true;
 };
 
-// Points in periodic space, their ids and their cells. There are no infinite cells, so nothing
-// depends on an origin, and there are cells as soon as there is a point.
+// Points in periodic space, their ids and their cells. Infinite cells, which there are in a slab
+// alone, end at points at infinity, so nothing depends on an origin; and there are cells as soon as
+// there is a point.
 template <class GeomTraits, class ConcurrencyTag>
 class Torus_state_3
   : public State_base_3<GeomTraits, ConcurrencyTag, Torus_positions_3, Torus_cells_3>
@@ -282,7 +290,7 @@ public:
   // Throws if a point is not finite, or too far away.
   void check(const Point& p, std::size_t id) const { torus.check(approximation(p), id); }
 
-  // An image, exact and rounded.
+  // An image, exact and rounded; or what stands for a point at infinity.
   Torus_point_3 image(const Torus_site_3& site) const
   {
     const Multiples_3 shift = site.shift.multiples();
@@ -372,7 +380,8 @@ public:
   Position_3 origin{0, 0, 0};
 
 private:
-  // NaN, of which a filter proves nothing, where the bound of the error does not hold.
+  // NaN, of which a filter proves nothing, where the bound of the error does not hold, and at
+  // infinity.
   Position_3 rounded(const Torus_site_3& site, const Multiples_3& shift) const
   {
     const Position_3& p = positions.position(site.vertex);
@@ -457,7 +466,8 @@ public:
       f(i);
   }
 
-  // 1 if `other` is inside of the sphere of a positive cell, -1 if it is outside.
+  // 1 if `other` is inside of the sphere of a positive cell, -1 if it is outside. The sphere of an
+  // infinite cell is the half space beyond its hull facet, with the circle of that on its border.
   int side_of_sphere(const Torus_sites_3& s, const Torus_site_3& other) const
   {
     if (const int sign = m_predicates.filtered_side_of_sphere(

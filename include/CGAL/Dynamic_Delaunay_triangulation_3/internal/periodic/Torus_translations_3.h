@@ -29,7 +29,7 @@ inline Periodic_shift_3 difference(const Periodic_shift_3& s, const Periodic_shi
 // How shifts are named anew since begin(): points may be given at other images, as by wrapping them
 // into the cell, and other vectors may stand for the same lattice. What had the shift s then, an
 // image of point i, has the shift s L + t(i) now; the rows of L are what the former vectors are in
-// the present ones.
+// the present ones; of a slab the third one is (0, 0, 1).
 class Torus_translations_3
 {
 public:
@@ -51,8 +51,8 @@ public:
   // The cell of one torus has given way to that of another one, with the basis in its place.
   void exchange_cell(const Torus_3& from, const Torus_3& to)
   {
-    Rows rows;
-    for (std::size_t k = 0; k < 3; ++k) {
+    Rows rows = unit_rows();
+    for (std::size_t k = 0; k < std::size_t(from.dimension()); ++k) {
       const std::array<double, 3>& v = from.cell().vector(k);
       rows[k] = to.in_vectors_of_cell(Torus_3::nearest(from.fractions({v[0], v[1], v[2]})));
     }

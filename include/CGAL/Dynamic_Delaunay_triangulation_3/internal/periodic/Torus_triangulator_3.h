@@ -30,6 +30,13 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // torus once, they are the Delaunay cells. Else the margin grows. All other vertices are inserted
 // into these cells. Where that fails, as where points crowd in a part of the cell, more of them are
 // triangulated with images.
+//
+// In a slab the highest and the lowest points are among the first ones, as the images of one that
+// is higher than all others before are in each other's way. The hull of images has the hull facets
+// of the slab in its middle, which are in a plane along the slab. All vertices of a cell of the
+// slab are in a cylinder along its normal, as wide as the largest empty circle of the lattice: in
+// the plane of each vertex a larger one has images of it inside. So a margin of some such circles
+// is enough.
 template <class State>
 class Torus_triangulator_3
 {
@@ -41,6 +48,7 @@ public:
 
   explicit Torus_triangulator_3(State& state)
     : m_state(state)
+    , m_signs(state)
     , m_insertion(state)
   {
   }
@@ -51,12 +59,14 @@ public:
   void triangulate(Covered& covered)
   {
     const Index vertices = m_state.number_of_vertices();
-    const std::vector<Vertex_index> order = order_by_rounds(vertices);
+    std::vector<Vertex_index> order = order_by_rounds(vertices);
     covered.clear();
     m_state.arrays.reset(vertices + 1);
     m_state.spans_space = vertices > 0;
     for (std::size_t number = few; vertices > 0; number *= 8) {
       covered.clear();
+      if (m_state.torus.is_slab())
+        bring_outermost_to_front(order, number / 8);
       triangulate_with_images(order, (std::min)(number, std::size_t(vertices)), covered);
       if (insert_from(order, number, covered))
         break;
@@ -70,6 +80,48 @@ private:
   static constexpr double spacings = 2.5; // as margin of random points
   static constexpr double enough = 1.25;  // of a cell's size, as margin of few points
   static constexpr std::size_t most_images = std::size_t(1) << 26;
+
+  // Brings so many of the highest vertices of a slab to the front, and as many of the lowest ones;
+  // by rounded elevations, but with those that are exactly the outermost.
+  void bring_outermost_to_front(std::vector<Vertex_index>& order, std::size_t number) const
+  {
+    std::vector<Elevation> all;
+    for (const Vertex_index v : order)
+      all.push_back({m_state.torus.elevation(m_state.positions.position(v)), v});
+    std::sort(all.begin(), all.end());
+    Column<Vertex_index, char> is_outermost(m_state.positions.number(), 0);
+    for (std::size_t i = 0; i < (std::min)(number, all.size()); ++i) {
+      is_outermost[all[i].vertex] = 1;
+      is_outermost[all[all.size() - 1 - i].vertex] = 1;
+    }
+    is_outermost[outermost(all.begin(), all.end(), -1)] = 1;
+    is_outermost[outermost(all.rbegin(), all.rend(), 1)] = 1;
+    std::stable_partition(order.begin(), order.end(),
+                          [&](Vertex_index v) { return is_outermost[v] != 0; });
+  }
+  struct Elevation
+  {
+    double rounded;
+    Vertex_index vertex;
+
+    friend bool operator<(const Elevation& a, const Elevation& b) { return a.rounded < b.rounded; }
+  };
+  // The vertex that is exactly the highest, or by the sign -1 the lowest, of a list that begins
+  // with what rounding takes for it.
+  template <class Iterator>
+  Vertex_index outermost(Iterator first, Iterator beyond, int sign) const
+  {
+    const Torus_3& torus = m_state.torus;
+    const double uncertain = 4 * std::sqrt(m_state.squared_error);
+    const auto image = [this](Vertex_index v) { return m_state.image(Torus_site_3{v, {}}); };
+    Vertex_index found = first->vertex;
+    for (auto i = first; i != beyond && std::abs(i->rounded - first->rounded) <= uncertain; ++i) {
+      const Exact_vector_3 way = torus.exact_vector(image(found), image(i->vertex));
+      if (sign * int(CGAL::sign(dot(torus.exact_vector(2), way))) > 0)
+        found = i->vertex;
+    }
+    return found;
+  }
 
   // Inserts vertices from some place in the order on. False if one is in its own way.
   bool insert_from(const std::vector<Vertex_index>& order, std::size_t first, Covered& covered)
@@ -96,11 +148,18 @@ private:
       list_images(margin(attempt));
       Torus_patch_3<State> patch(m_state);
       Covered coinciding;
-      const bool spans_space = patch.triangulate(
-          m_images, [this](std::size_t i) { return m_hints[i]; },
-          [&](std::size_t i, std::size_t j) {
-            coinciding.emplace_back(m_images[i].vertex, m_images[j].vertex);
-          });
+      const auto triangulate = [&] {
+        return patch.triangulate(
+            m_images, [this](std::size_t i) { return m_hints[i]; },
+            [&](std::size_t i, std::size_t j) {
+              coinciding.emplace_back(m_images[i].vertex, m_images[j].vertex);
+            });
+      };
+      bool spans_space = triangulate();
+      if (!spans_space && m_state.torus.is_slab()) {
+        append_points_at_infinity();
+        spans_space = triangulate();
+      }
       if (!coinciding.empty()) {
         leave_out(coinciding, covered);
         continue;
@@ -133,6 +192,8 @@ private:
   // evenly spread points, and later, as voids may be as large as the cell, so many cells.
   Few<double, 3> margin(int attempt) const
   {
+    if (m_state.torus.is_slab())
+      return margin_in_slab(attempt);
     const double spacing = std::cbrt(m_state.torus.volume() / double(m_seeds.size()));
     const double growth = attempt < 2 ? 1 + 0.6 * attempt : std::pow(1.4, attempt - 2);
     Few<double, 3> margin;
@@ -143,13 +204,31 @@ private:
     return margin;
   }
 
+  // Hull facets are as large as the cell, and so are cells beneath.
+  Few<double, 3> margin_in_slab(int attempt) const
+  {
+    const Torus_3& torus = m_state.torus;
+    const double longest =
+        std::sqrt((std::max)(squared_length(torus.vector(0)), squared_length(torus.vector(1))));
+    const double length = enough * std::pow(1.4, attempt) * longest;
+    return {length / torus.height(0), length / torus.height(1), 0};
+  }
+
+  void append_points_at_infinity()
+  {
+    for (const Torus_site_3& point : {Torus_site_3::above(), Torus_site_3::below()}) {
+      m_hints.push_back(m_images.size() + 2); // none
+      m_images.push_back(point);
+    }
+  }
+
   // Lists the images of the seeds in the basis' parallelepiped and in a margin around, and for each
   // the image of the seed before by the same shift.
   void list_images(const Few<double, 3>& margin)
   {
     Multiples_3 most;
     for (int i = 0; i < 3; ++i)
-      most[i] = int(std::ceil(margin[i])) + 1;
+      most[i] = i < m_state.torus.dimension() ? int(std::ceil(margin[i])) + 1 : 0;
     if (double(m_seeds.size()) * (1 + 2 * margin[0]) * (1 + 2 * margin[1]) * (1 + 2 * margin[2]) >
         double(most_images))
       throw std::length_error("a periodic cell is too thin for its points");
@@ -173,22 +252,40 @@ private:
     }
   }
 
-  // A cell's sites in ascending order, moved so that the first one has the shift 0: the same for
-  // all images of the cell.
+  // A cell's sites in ascending order, moved so that the first finite one has the shift 0: the same
+  // for all images of the cell.
   struct Class
   {
     Torus_sites_3 sites;
-    Torus_shift_3 shift; // of the first one before
+    Torus_shift_3 shift; // of that one before
 
     explicit Class(const Torus_sites_3& given)
       : sites(given)
     {
       std::sort(sites.begin(), sites.end());
-      shift = sites[0].shift;
+      shift = sites[sites[0].is_infinite() ? 1 : 0].shift;
       for (Torus_site_3& s : sites)
-        s.shift = s.shift - shift;
+        s = s - shift;
     }
   };
+
+  // The sites of a cell of the patch. In a slab one beyond its hull has the point at infinity above
+  // or below, unless the hull facet is a wall at the side of the patch. Nothing for those without
+  // such a cell of the torus.
+  std::optional<Torus_sites_3> sites(const Torus_patch_3<State>& patch, Cell_index c) const
+  {
+    Torus_sites_3 sites = patch.sites(c);
+    if (!m_state.torus.is_slab())
+      return patch.arrays().is_infinite(c) ? std::nullopt : std::optional(sites);
+    if (const int place = patch.arrays().place_of(c, infinite_index); place < 4) {
+      sites[place] = Torus_site_3::above();
+      if (m_signs.of(sites) < 0)
+        sites[place] = Torus_site_3::below();
+    }
+    const bool is_infinite = std::any_of(sites.begin(), sites.end(),
+                                         [](const Torus_site_3& s) { return s.is_infinite(); });
+    return is_infinite && !m_signs.is_positive(sites) ? std::nullopt : std::optional(sites);
+  }
 
   // Takes over one cell of each class, if they fit together and cover the torus once.
   bool take_over(const Torus_patch_3<State>& patch)
@@ -196,13 +293,13 @@ private:
     m_classes.clear();
     const Tetrahedra_arrays_3& cells = patch.arrays();
     for (Cell_index c(0); c < cells.number_of_cells(); ++c)
-      if (!cells.is_infinite(c))
-        if (const Class of_cell(patch.sites(c)); of_cell.shift == Torus_shift_3())
+      if (const std::optional<Torus_sites_3> given = sites(patch, c))
+        if (const Class of_cell(*given); of_cell.shift == Torus_shift_3())
           m_classes.emplace_back(of_cell.sites, c);
     std::sort(m_classes.begin(), m_classes.end());
     m_state.arrays.reset(m_state.number_of_vertices() + 1);
-    for (const auto& [sites, c] : m_classes)
-      m_state.arrays.set_sites(m_state.arrays.make_cell(), patch.sites(c));
+    for (const auto& [ascending, c] : m_classes)
+      m_state.arrays.set_sites(m_state.arrays.make_cell(), *sites(patch, c));
     m_mirrors.assign(4 * m_classes.size(), Corner_index(null_index));
     for (Cell_index c(0); c < m_state.arrays.number_of_cells(); ++c)
       for (int i = 0; i < 4; ++i)
@@ -225,16 +322,16 @@ private:
     const Tetrahedra_arrays_3& cells = patch.arrays();
     const Corner_index mirror =
         cells.mirror(Arrays::corner(m_classes[Arrays::cell_of(k)].second, Arrays::place_of(k)));
-    if (cells.is_infinite(Arrays::cell_of(mirror)))
+    const std::optional<Torus_sites_3> beyond = sites(patch, Arrays::cell_of(mirror));
+    if (!beyond)
       return false;
-    const Class neighbor(patch.sites(Arrays::cell_of(mirror)));
+    const Class neighbor(*beyond);
     const auto at = std::lower_bound(
         m_classes.begin(), m_classes.end(), neighbor.sites,
-        [](const auto& entry, const Torus_sites_3& sites) { return entry.first < sites; });
+        [](const auto& entry, const Torus_sites_3& other) { return entry.first < other; });
     if (at == m_classes.end() || !(at->first == neighbor.sites))
       return false;
-    Torus_site_3 apex = patch.site(cells.vertex(mirror));
-    apex.shift = apex.shift - neighbor.shift;
+    const Torus_site_3 apex = (*beyond)[Arrays::place_of(mirror)] - neighbor.shift;
     const Cell_index other(at - m_classes.begin());
     const Corner_index l = Arrays::corner(other, m_state.arrays.place_of(other, apex));
     m_mirrors[k] = l;
@@ -243,6 +340,7 @@ private:
   }
 
   State& m_state;
+  Torus_signs_3<State> m_signs;
   Insertion m_insertion;
   std::vector<Vertex_index> m_seeds;
   std::vector<Torus_site_3> m_images;

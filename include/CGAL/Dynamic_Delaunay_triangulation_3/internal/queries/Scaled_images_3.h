@@ -69,12 +69,10 @@ public:
   using typename Base::Number;
 
   explicit Scaled_sites_3(const State& state)
-    : Base((std::max)({largest_coordinate(state.torus.vector(0)),
-                       largest_coordinate(state.torus.vector(1)),
-                       largest_coordinate(state.torus.vector(2))}))
+    : Base(size_of_basis(state.torus))
     , m_state(state)
   {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < state.torus.dimension(); ++i) {
       const Position_3& rounded = state.torus.vector(i);
       const Exact_vector_3& exact = state.torus.exact_vector(i);
       m_rests[i] = {CGAL::to_double(exact.x - Exact_number_3(rounded.x)),
@@ -143,13 +141,16 @@ public:
     return m == no_multiples ? Periodic_shift_3{0, 0, 0} : m_state.torus.in_vectors_of_cell(m);
   }
 
-  // Whether a site is exactly on the sphere of a cell. No perturbation breaks ties here.
+  // Whether a site is exactly on the sphere of a cell. No perturbation breaks ties here. For an
+  // infinite cell, whether it is on the circle of its hull facet, in the plane of which it has to
+  // be.
   bool are_on_a_sphere(const Torus_sites_3& cell, const Site& other) const
   {
-    const Torus_point_3 origin = m_state.image(cell[0]);
+    const int first = cell[0].is_infinite() ? 1 : 0;
+    const Torus_point_3 origin = m_state.image(cell[first]);
     Few<Torus_point_3, 4> ends;
     for (int i = 0; i < 3; ++i)
-      ends[i] = m_state.image(cell[i + 1]);
+      ends[i] = m_state.image(cell[(first + 1 + i) % 4]);
     ends[3] = m_state.image(other);
     const auto way = [&](int i) -> Points_in_lanes_3<double> {
       const Position_3 v = ends[i].rounded - origin.rounded;
@@ -158,7 +159,10 @@ public:
     const Torus_filter_in_lanes_3<double> filter(way(0), way(1), way(2), m_state.squared_error);
     if (filter.side_of_sphere(way(3)) != 0)
       return false;
-    const auto exact = [&](int i) { return m_state.torus.exact_vector(origin, ends[i]); };
+    const auto exact = [&](int i) {
+      return m_state.torus.end_of_space(ends[i]) != 0 ? m_state.torus.exact_vector(2)
+                                                      : m_state.torus.exact_vector(origin, ends[i]);
+    };
     const Exact_vector_3 b = exact(0), c = exact(1), d = exact(2), e = exact(3);
     const Exact_vector_3 cd = cross(c, d), db = cross(d, b), bc = cross(b, c);
     return CGAL::is_zero(dot(b, cd) * dot(e, e) - dot(cd, e) * dot(b, b) - dot(db, e) * dot(c, c) -
@@ -204,6 +208,14 @@ public:
   }
 
 private:
+  static double size_of_basis(const Torus_3& torus)
+  {
+    double size = 0;
+    for (int i = 0; i < torus.dimension(); ++i)
+      size = (std::max)(size, largest_coordinate(torus.vector(i)));
+    return size;
+  }
+
   static constexpr Multiples_3 no_multiples = {0, 0, 0};
 
   Site site(const Neighbor_entry_3& entry) const
@@ -224,7 +236,7 @@ private:
   }
 
   const State& m_state;
-  Few<Position_3, 3> m_rests; // of the basis: exact minus rounded
+  Few<Position_3, 3> m_rests{}; // of the basis: exact minus rounded
   double m_size_of_rests = 0;
 };
 

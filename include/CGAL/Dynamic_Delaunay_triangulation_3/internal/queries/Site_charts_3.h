@@ -89,20 +89,16 @@ struct Site_charts_3<Torus_cells_3>
   static Vertex_index vertex_of(const Site& s) { return s.vertex; }
   static Key key(const Site& s) { return key(s.vertex, s.shift); }
   static Cell_key key_of_cell(const Seen_cell& c) { return key(c.cell, c.chart); }
-  static bool is_infinite(const Site&) { return false; }
-  static bool is_infinite(const Arrays&, Cell_index) { return false; }
+  static bool is_infinite(const Site& s) { return s.is_infinite(); }
+  static bool is_infinite(const Arrays& arrays, Cell_index c) { return arrays.is_infinite(c); }
 
   static Torus_sites_3 sites(const Arrays& arrays, Cell_index c) { return arrays.sites(c); }
   static Cell_index cell_of(const Seen_cell& c) { return c.cell; }
   static Site site(const Arrays& arrays, const Seen_cell& c, int place)
   {
-    const Site own = arrays.site(Arrays::corner(c.cell, place));
-    return {own.vertex, own.shift + c.chart};
+    return arrays.site(Arrays::corner(c.cell, place)) + c.chart;
   }
-  static Site in_own_chart(const Seen_cell& c, const Site& s)
-  {
-    return {s.vertex, s.shift - c.chart};
-  }
+  static Site in_own_chart(const Seen_cell& c, const Site& s) { return s - c.chart; }
 
   static Seen_cell first_cell(const Arrays& arrays, const Site& s)
   {
@@ -121,7 +117,7 @@ struct Site_charts_3<Torus_cells_3>
   static int place_of_known(const Arrays& arrays, const Seen_cell& c, const Site& s)
   {
     const Arrays::Cell& cell = arrays.cell(c.cell);
-    const Torus_shift_3 own = s.shift - c.chart;
+    const Torus_shift_3 own = in_own_chart(c, s).shift;
     const auto is_at = [&](int place) {
       return int(cell.vertices[place] == s.vertex) & int(cell.shifts[place] == own);
     };

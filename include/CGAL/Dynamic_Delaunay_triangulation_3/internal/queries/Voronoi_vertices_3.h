@@ -69,7 +69,8 @@ public:
     for (const auto& of_ring : ring) {
       const Site first = Charts::site(arrays(), of_ring.cell, 0);
       const Position_3& center = m_centers[Charts::cell_of(of_ring.cell)];
-      corners.push_back(site == first ? center : m_sites.vector(site, first) + center);
+      corners.push_back(
+          site == first || is_infinite(center) ? center : m_sites.vector(site, first) + center);
     }
   }
   static bool is_infinite(const Position_3& corner) { return std::isnan(corner.x); }
@@ -78,7 +79,8 @@ public:
   // coincide. The first and the last of those in between do not, since they are ends of one side;
   // so there is an area if corners change three times, and none if they never do, or change twice:
   // to and fro. The infinite cells of coplanar hull facets have one infinite corner, others have
-  // different ones.
+  // different ones. In a slab, where all hull facets are coplanar, those with a common circle have
+  // one.
   bool span_area(Vertex_index v, const Site& w, const Cell_ring& ring,
                  const std::vector<Position_3>& corners) const
   {
@@ -157,6 +159,10 @@ private:
         const Vertex_index before = ring[(i > 0 ? i : ring.size()) - 1].next;
         return !m_sites.are_coplanar(v, w, before, after);
       }
+    if constexpr (Charts::is_periodic) // one above a slab and one below
+      if (Charts::is_infinite(arrays(), Charts::cell_of(here.cell)) &&
+          !Charts::is_infinite(here.next))
+        return true;
     const auto place_of = [&](const Site& s) { return Charts::place_of(arrays(), here.cell, s); };
     const int opposite = 6 - place_of(Charts::site(v)) - place_of(w) - place_of(here.next);
     const Cell_index cell = Charts::cell_of(here.cell);
