@@ -82,9 +82,9 @@ public:
     return false;
   }
 
-  // Moves each held vertex on to where it belongs, or half or a quarter of the way, in several
-  // rounds, with flips after each move. All facets are legal before and afterwards, but for stuck
-  // ones.
+  // Moves each held vertex on to where it belongs, or half or a quarter of the way, or less in some
+  // spaces, in several rounds, with flips after each move. All facets are legal before and
+  // afterwards, but for stuck ones.
   void release()
   {
     for (int round = 0; round < rounds; ++round) {
@@ -369,7 +369,7 @@ private:
   {
     const Vertex_index v = m_held[i].vertex;
     const Place from = m_state.positions.place(v), target = m_held[i].target;
-    for (const double way : {1.0, 0.5, 0.25}) {
+    for (double way = 1; way >= m_state.smallest_way(); way /= 2) {
       const Place to = way == 1.0 ? target : Place(between(from.position, target.position, way));
       if (!try_to_move(v, from, to))
         continue;

@@ -254,6 +254,12 @@ public:
   static constexpr std::size_t most_broken = 6; // cells a vertex
   static constexpr bool positions_are_exact = true, has_origin = true;
 
+  // Next to the hull of a slab, the facets of which are as large as the cell, a vertex has so many
+  // neighbors that only a short way breaks few of its cells: 38 percent of the frames of 1,000
+  // random points with steps of 0.05 mean spacings end with a vertex that cannot be taken out or
+  // inserted there, but 2 percent with these ways.
+  double smallest_way() const { return torus.is_slab() ? 0x1p-7 : 0.25; }
+
   explicit Torus_state_3(const Periodic_cell_3& cell)
     : torus(cell)
   {

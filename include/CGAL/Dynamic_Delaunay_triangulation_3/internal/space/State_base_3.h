@@ -25,14 +25,15 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //   Place place_anew(v)               of a vertex after begin_rebuild()
 //   bool coincide(point, v)           whether an image of a point is exactly where a vertex is
 //   void check(point, id)             throws if it is refused
-//   void note_move(id, p, q, v)       for visitors: a point of a vertex is about to move from p to
-//   q void include(place)               a vertex has got this place: filters have to reckon with it
+//   void note_move(id, p, q, v)       for visitors: a point of v is about to move from p to q
+//   void include(place)               a vertex has got this place: filters have to reckon with it
 //   void include_all()                the same, of all vertices anew
 //   bool begin_frame(mean, previous, has_other_cell)
 //                                     vertices have new positions; false if nothing can be mended
 //   void end_change()                 before a call ends that has mended something
 //   void begin_rebuild()              all points are about to get other vertices
 //   renumber_vertices(numbers, n)     of the cells, as `Cell_arrays_3::renumber_all()`
+//   double smallest_way()             share of its way by which a held vertex may move on
 //   spans_space, positions_are_exact, has_origin, origin, most_broken
 template <class GeomTraits, class ConcurrencyTag, class Positions_of_space, class Arrays_of_space>
 class State_base_3

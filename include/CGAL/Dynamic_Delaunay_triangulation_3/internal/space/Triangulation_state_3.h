@@ -94,6 +94,8 @@ public:
   // 0.14 mean spacings break three cells a vertex; then both ways take as long.
   static constexpr std::size_t most_broken = 3; // cells a vertex
 
+  static double smallest_way() { return 0.25; }
+
   explicit Triangulation_state_3(const Traits& geometry = Traits())
     : traits(geometry)
   {
