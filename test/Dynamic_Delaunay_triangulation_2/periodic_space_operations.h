@@ -83,6 +83,7 @@ public:
     EXPECT_EQ(m_dt.number_of_vertices(), ids.size());
     const Dynamic fresh(points, m_cell);
     EXPECT_EQ(fresh.number_of_vertices(), ids.size());
+    EXPECT_EQ(fresh.number_of_edges(), m_dt.number_of_edges());
     std::set<std::array<periodic_space_oracle::Site, 4>> expected;
     for (auto sites : periodic_space_oracle::cells_of(fresh)) {
       for (auto& site : sites)
@@ -125,8 +126,9 @@ public:
     insert(points);
   }
 
-  // A crystal that fills the cell: `side` unit cells along each vector, of a cubic lattice and, for
-  // the other kinds, of points in the middle of its facets or in that of its cells.
+  // A crystal that fills the cell, of a slab up to the scale: `side` unit cells along each vector,
+  // of a cubic lattice and, for the other kinds, of points in the middle of its facets or in that
+  // of its cells.
   void insert_crystal(std::size_t side, std::size_t kind)
   {
     static const std::vector<std::vector<Coordinates>> bases = {
@@ -140,7 +142,8 @@ public:
         Coordinates p{0, 0, 0};
         for (std::size_t j = 0; j < 3; ++j)
           for (std::size_t k = 0; k < 3; ++k)
-            p[k] += (double(n[j]) + x[j]) / double(side) * m_cell.vector(j)[k];
+            p[k] += (double(n[j]) + x[j]) / double(side) * m_cell.vector(j)[k] *
+                    (j < vectors() ? 1 : m_setting.scale);
         points.emplace_back(p[0], p[1], p[2]);
       }
     insert(points);
