@@ -14,9 +14,11 @@
 //   motion.svg        the dam break with few points, moving
 //   cells_in_domain.svg  a Voronoi cell in a hall with walls, by three rules
 //   space.svg         tetrahedra that a frame removes and makes, in a section
+//   glass.svg         the same of a sheared glass in periodic space
 
 #include "common/Program.h"
 #include "manual_figures/Domain_figure.h"
+#include "manual_figures/Glass_figure.h"
 #include "manual_figures/Motion_figure.h"
 #include "manual_figures/Safety_figures.h"
 #include "manual_figures/Set_figures.h"
@@ -53,6 +55,7 @@ void draw_all(const std::string& path)
   write(directory, "motion.svg", Motion_figure::draw(180, 36, 30));
   write(directory, "cells_in_domain.svg", Domain_figure::draw());
   write(directory, "space.svg", Space_figure::draw(500, 20));
+  write(directory, "glass.svg", Glass_figure(5).draw());
 }
 
 } // namespace

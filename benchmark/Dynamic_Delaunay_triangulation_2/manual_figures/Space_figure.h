@@ -28,7 +28,6 @@ class Space_figure
 {
   using Dynamic =
       CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
-  using Place = Dynamic::Point;
   using Cell = std::array<std::size_t, 4>; // ids, ascending
   using Cells = std::set<Cell>;
 
@@ -130,30 +129,14 @@ private:
     return facets;
   }
 
-  // Where the plane z = 0 cuts the edges of a simplex, in the order around its section: from one
-  // vertex below to all above, from the next one back.
   template <std::size_t size>
   static std::vector<Point> section(const std::vector<Place>& places,
                                     const std::array<std::size_t, size>& simplex)
   {
-    std::vector<std::size_t> low, high;
-    for (const std::size_t id : simplex) {
-      (places[id].z() < 0 ? low : high).push_back(id);
-    }
-    std::vector<Point> corners;
-    for (std::size_t i = 0; i < low.size(); ++i) {
-      for (std::size_t j = 0; j < high.size(); ++j) {
-        const std::size_t turned = i % 2 == 0 ? j : high.size() - 1 - j;
-        corners.push_back(cut(places[low[i]], places[high[turned]]));
-      }
-    }
-    return corners;
-  }
-
-  static Point cut(const Place& p, const Place& q)
-  {
-    const double part = p.z() / (p.z() - q.z());
-    return {p.x() + part * (q.x() - p.x()), p.y() + part * (q.y() - p.y())};
+    std::array<Place, size> corners;
+    std::transform(simplex.begin(), simplex.end(), corners.begin(),
+                   [&](std::size_t id) { return places[id]; });
+    return manual_figures::section(corners);
   }
 };
 
