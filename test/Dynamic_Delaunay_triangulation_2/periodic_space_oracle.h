@@ -112,14 +112,16 @@ public:
     std::set<std::size_t> representatives;
     for (const auto& [id, point] : m_points)
       representatives.insert(dt.representative(id));
-    if (!is_flat())
+    if (!is_flat()) {
       EXPECT_EQ(with_cells, representatives);
+    }
     if (m_points.empty())
       return;
-    if (m_cell.is_slab())
+    if (m_cell.is_slab()) {
       EXPECT_EQ(volume, highest() - lowest());
-    else
+    } else {
       EXPECT_EQ(volume, 6 * CGAL::abs(CGAL::volume(origin(), end(0), end(1), end(2))));
+    }
     EXPECT_EQ(sides.size(), lowest() < highest() ? dt.number_of_facets() : 0u);
     for (const auto& [facet, both] : sides) {
       if (both.size() == 1) {

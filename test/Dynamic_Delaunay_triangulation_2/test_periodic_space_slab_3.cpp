@@ -401,8 +401,9 @@ TEST(Motion_in_slabs, may_take_a_point_past_all_others)
   for (int frame = 0; frame < 200; ++frame) {
     points[0] = Point(0.5, 0.5, -1.5 + 0.02 * frame);
     rebuilds += dt.update(points).rebuilt();
-    if (frame % 20 == 0)
+    if (frame % 20 == 0) {
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, oblong));
+    }
   }
   EXPECT_LT(rebuilds, 4u);
 }
@@ -490,8 +491,9 @@ TEST(Cells_of_slabs, may_shear_and_be_flipped)
       strain -= 1;
     const Cell cell(Coordinates{1, 0, 0}, Coordinates{strain, 1, 0});
     rebuilds += dt.update(sheared, cell).rebuilt();
-    if (frame % 10 == 0 || frame == 25 || frame == 26)
+    if (frame % 10 == 0 || frame == 25 || frame == 26) {
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, sheared, cell)) << frame;
+    }
   }
   EXPECT_LT(rebuilds, 4u);
 }
@@ -508,8 +510,9 @@ TEST(Cells_of_slabs, may_turn_in_space_and_be_mirrored)
     const Coordinates a{c, 0, s}, b{0, 1, 0};
     const Cell cell = frame % 3 == 0 ? Cell(b, a) : Cell(a, b);
     dt.update(turned, cell);
-    if (frame % 4 == 0)
+    if (frame % 4 == 0) {
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, turned, cell)) << frame;
+    }
   }
 }
 
@@ -539,14 +542,16 @@ TEST(Points_in_slabs, come_and_go_one_by_one)
       if (are_on_walls)
         p = Point(p.x(), p.y(), n++ % 2 == 0 ? 0.5 : 1);
       points.emplace(dt.insert(p), p);
-      if (points.size() < 12 || points.size() % 30 == 0)
+      if (points.size() < 12 || points.size() % 30 == 0) {
         ASSERT_NO_FATAL_FAILURE(periodic_space_oracle::expect_exact(dt, points, tilted));
+      }
     }
     while (!points.empty()) {
       dt.remove(points.begin()->first);
       points.erase(points.begin());
-      if (points.size() < 12 || points.size() % 30 == 0)
+      if (points.size() < 12 || points.size() % 30 == 0) {
         ASSERT_NO_FATAL_FAILURE(periodic_space_oracle::expect_exact(dt, points, tilted));
+      }
     }
   }
 }
@@ -561,8 +566,9 @@ TEST(Points_in_slabs, move_alone)
     Point& p = points[std::size_t(i) % 100];
     p = Point(p.x() + way(random), p.y() + way(random), p.z() + way(random));
     dt.move(std::size_t(i) % 100, p);
-    if (i % 20 == 0)
+    if (i % 20 == 0) {
       ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, square));
+    }
   }
   const std::size_t top =
       std::size_t(std::max_element(points.begin(), points.end(),

@@ -133,10 +133,11 @@ TEST(Voronoi_cells_in_slabs, are_those_of_images_in_open_space)
         for (std::size_t i = measures.offsets()[id]; i < measures.offsets()[id + 1]; ++i) {
           const auto at = areas.find({measures.neighbors()[i], measures.shifts()[i]});
           ASSERT_NE(at, areas.end());
-          if (at->second < infinity)
+          if (at->second < infinity) {
             EXPECT_NEAR(at->second, measures.facet_areas()[i], 1e-9 * (1 + at->second));
-          else
+          } else {
             EXPECT_EQ(at->second, measures.facet_areas()[i]);
+          }
         }
         if (!measures.is_bounded(id)) {
           ++unbounded;
@@ -172,8 +173,9 @@ TEST(Voronoi_cells_in_slabs, of_lattices_have_facets_with_an_area_only)
         const std::size_t facets = measures.offsets()[id + 1] - measures.offsets()[id];
         EXPECT_EQ(facets, 6u - is_lowest - is_highest);
         EXPECT_EQ(measures.is_bounded(id), !is_lowest && !is_highest);
-        if (measures.is_bounded(id))
+        if (measures.is_bounded(id)) {
           EXPECT_NEAR(measures.volumes()[id], 1, 1e-14);
+        }
         double area = 0;
         for (std::size_t i = measures.offsets()[id]; i < measures.offsets()[id + 1]; ++i)
           area += measures.facet_areas()[i] < infinity ? measures.facet_areas()[i] : 0;

@@ -69,7 +69,9 @@ private:
     for (const Cell_index c : m_hole) {
       const Torus_sites_3 sites = arrays().sites(c);
       const auto is_image = [v](const Torus_site_3& s) { return s.vertex == v; };
-      if (std::count_if(sites.begin(), sites.end(), is_image) > 1 || arrays().is_infinite(c))
+      if (std::count_if(sites.begin(), sites.end(), is_image) > 1)
+        return false;
+      if (arrays().is_infinite(c))
         return false;
       const int place = int(std::find_if(sites.begin(), sites.end(), is_image) - sites.begin());
       Border border{sites, Arrays::corner(c, place), sites[place].shift};
