@@ -273,7 +273,18 @@ private:
     m_held.push_back({v, m_state.positions.place(v),
                       motion.has_neighbors ? Waits::CARRIED : Waits::AT_HOME, !jumps, false, 0});
     m_number[v] = Index(m_held.size() - 1);
-    move(v, Place(m_previous.position(v) + (motion.has_neighbors ? motion.mean : m_mean)));
+    move(v, Place(beside_hull(v, m_previous.position(v) +
+                                     (motion.has_neighbors ? motion.mean : m_mean))));
+  }
+
+  // Where a vertex is to wait; for one on a flat hull, in its plane: out of it, it would be the
+  // only vertex there.
+  Position_3 beside_hull(Vertex_index v, const Position_3& wanted)
+  {
+    find_star(arrays(), v, m_state.marks, m_star);
+    const bool is_on_hull = std::any_of(m_star.begin(), m_star.end(),
+                                        [this](Cell_index c) { return arrays().is_infinite(c); });
+    return is_on_hull ? m_state.along_hull(position(v), wanted) : wanted;
   }
 
   bool wait_farther_back(Held& held)
@@ -439,8 +450,9 @@ private:
       m_held.push_back({v, from, Waits::AT_HOME, false, true, 0});
       m_number[v] = Index(m_held.size() - 1);
     }
+    const Position_3 back = beside_hull(v, home(v).position);
     for (const double way : {1.0, 0.5, 0.25}) {
-      const Place to(between(from.position, home(v).position, way));
+      const Place to(between(from.position, back, way));
       if (is_same(to.position, from.position))
         continue;
       m_state.positions.set(v, to);

@@ -260,6 +260,15 @@ public:
   // inserted there, but 2 percent with these ways.
   double smallest_way() const { return torus.is_slab() ? 0x1p-7 : 0.25; }
 
+  // The hull of a slab is flat: a way along it, as near to one between two positions as can be.
+  Position_3 along_hull(const Position_3& from, const Position_3& to) const
+  {
+    if (!torus.is_slab())
+      return to;
+    const Position_3 way = to - from;
+    return from + (way - torus.elevation(way) * torus.vector(2));
+  }
+
   explicit Torus_state_3(const Periodic_cell_3& cell)
     : torus(cell)
   {

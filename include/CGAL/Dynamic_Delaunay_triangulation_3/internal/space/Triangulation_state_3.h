@@ -95,6 +95,7 @@ public:
   static constexpr std::size_t most_broken = 3; // cells a vertex
 
   static double smallest_way() { return 0.25; }
+  static Position_3 along_hull(const Position_3&, const Position_3& to) { return to; }
 
   explicit Triangulation_state_3(const Traits& geometry = Traits())
     : traits(geometry)
