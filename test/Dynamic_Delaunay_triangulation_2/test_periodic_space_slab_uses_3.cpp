@@ -85,6 +85,19 @@ Point image(const Point& p, const Shift& shift, const Cell& cell)
   return Point(x[0], x[1], x[2]);
 }
 
+using Site = std::pair<std::size_t, Shift>;
+
+// That of the pairs. (g++ 12 warns that these, compared as arrays, may be uninitialized.)
+struct Site_order
+{
+  bool operator()(const Site& a, const Site& b) const
+  {
+    return std::tie(a.first, a.second[0], a.second[1], a.second[2]) <
+           std::tie(b.first, b.second[0], b.second[1], b.second[2]);
+  }
+};
+using Sites = std::set<Site, Site_order>;
+
 // Images of points around the cell, those in the cell first; and their names.
 struct Images
 {
@@ -105,7 +118,7 @@ struct Images
   }
 
   Points points;
-  std::vector<std::pair<std::size_t, Shift>> names;
+  std::vector<Site> names;
 };
 
 // VORONOI CELLS -----------------------------------------------------------------------------------
@@ -126,7 +139,7 @@ TEST(Voronoi_cells_in_slabs, are_those_of_images_in_open_space)
       expected_gradients.compute(open);
       std::size_t unbounded = 0;
       for (std::size_t id = 0; id < number; ++id) {
-        std::map<std::pair<std::size_t, Shift>, double> areas;
+        std::map<Site, double, Site_order> areas;
         for (std::size_t i = expected.offsets()[id]; i < expected.offsets()[id + 1]; ++i)
           areas[images.names[expected.neighbors()[i]]] = expected.facet_areas()[i];
         EXPECT_EQ(measures.is_bounded(id), expected.is_bounded(id));
@@ -215,7 +228,7 @@ TEST(Neighbors_in_slabs, are_the_ends_of_edges)
       lists.compute_with_vectors(dt);
       EXPECT_EQ(lists.neighbors().size(), 2 * dt.number_of_edges());
       for (std::size_t id = 0; id < number; ++id) {
-        std::set<std::pair<std::size_t, Shift>> expected, found;
+        Sites expected, found;
         dt.for_each_neighbor(
             id, [&](std::size_t j, const Shift& shift) { expected.emplace(j, shift); });
         for (std::size_t i = lists.offsets()[id]; i < lists.offsets()[id + 1]; ++i) {
@@ -241,7 +254,7 @@ TEST(Nearest_points_in_slabs, are_those_of_all_images)
       const Queries queries(dt);
       for (int i = 0; i < 15; ++i) {
         const Point p = near(Point(0.5, 0.5, 0.5), i % 3 == 0 ? 1.5 : 1, random);
-        std::map<Kernel::FT, std::set<Queries::Answer>> by_distance;
+        std::map<Kernel::FT, Sites> by_distance;
         for (std::size_t n = 0; n < images.points.size(); ++n)
           by_distance[CGAL::squared_distance(p, images.points[n])].insert(images.names[n]);
         EXPECT_EQ(by_distance.begin()->second.count(*queries.nearest(p)), 1u);
@@ -319,19 +332,28 @@ TEST(Visitors_in_slabs, lead_from_former_edges_to_present_ones)
 
 struct Facets_visitor : CGAL::Delaunay_update_visitor_base_3
 {
-  using Facet = std::pair<std::array<std::size_t, 3>, std::array<Shift, 3>>;
+  using Facet = std::vector<int>; // ids and shifts
 
+  static Facet facet(const std::array<std::size_t, 3>& ids, const std::array<Shift, 3>& shifts)
+  {
+    Facet numbers;
+    for (std::size_t i = 0; i < 3; ++i) {
+      numbers.push_back(int(ids[i]));
+      numbers.insert(numbers.end(), shifts[i].begin(), shifts[i].end());
+    }
+    return numbers;
+  }
   template <class Dynamic>
   void after_facet_removal(const Dynamic&, const std::array<std::size_t, 3>& ids,
                            const std::array<Shift, 3>& shifts)
   {
-    EXPECT_EQ(facets.erase({ids, shifts}), 1u);
+    EXPECT_EQ(facets.erase(facet(ids, shifts)), 1u);
   }
   template <class Dynamic>
   void after_facet_creation(const Dynamic&, const std::array<std::size_t, 3>& ids,
                             const std::array<Shift, 3>& shifts)
   {
-    EXPECT_TRUE(facets.insert({ids, shifts}).second);
+    EXPECT_TRUE(facets.insert(facet(ids, shifts)).second);
   }
 
   std::set<Facet> facets;
