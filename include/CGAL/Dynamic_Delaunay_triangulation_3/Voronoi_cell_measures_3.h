@@ -50,7 +50,8 @@ Volumes are in the cubed unit of the coordinates, areas in the squared unit, cen
   that of the periodic cell. Neighbors are images, and `shifts()` tells which: a point can be a
   neighbor of its own images, and of another point's several times. The centroid of each point, also
   of one that coincides with another by a translation, is near the point as it was given, wrapped or
-  not. There are no boxes.
+  not. There are no boxes. In a slab the cells of the highest and of the lowest points are
+  unbounded, as those of points on the hull are in open space.
 - A facet with a neighbor that does not reach into the box has the area 0. Where a cell touches the
   box only from outside, rounding may leave it a tiny volume, and so a centroid there.
 - Removed ids have 0 for all measures, and no neighbors.
