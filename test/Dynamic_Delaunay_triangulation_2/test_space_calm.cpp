@@ -97,7 +97,7 @@ std::array<Long, 5> gradients(const Five& p, bool of_volume)
   for (std::size_t i = 0; i < 5; ++i)
     for (std::size_t k = 0; k < 3; ++k) {
       std::array<double, 3> x{p[i].x(), p[i].y(), p[i].z()};
-      const double step = std::max({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}) / 1024;
+      const double step = (std::max)({std::abs(x[0]), std::abs(x[1]), std::abs(x[2])}) / 1024;
       const double here = x[k], high = here + step, low = here - step;
       Five above = p, below = p;
       x[k] = high;
