@@ -331,12 +331,12 @@ public:
   {
     m_present.include(place.base, place.position, place.multiples);
     m_present.has_strayed = m_present.has_strayed || is_far(place.position);
-    set_reach(m_reach.with(m_present));
+    use_reach(m_reach.with(m_present));
   }
   void include_all()
   {
     m_present = measures(positions);
-    set_reach(m_present);
+    use_reach(m_present);
   }
   // A vertex that is held is carried by others' ways: at most twice as far as all go.
   bool begin_frame(const Position_3&, const Positions& previous, bool has_other_cell)
@@ -345,7 +345,7 @@ public:
     m_present = measures(positions);
     reach = reach.with(m_present);
     reach.largest *= 4;
-    set_reach(reach);
+    use_reach(reach);
     return true;
   }
   // Wraps vertices into the basis' parallelepiped where one has gone far out of it, so that shifts
@@ -372,7 +372,7 @@ public:
     include_all();
     if (!(m_present.largest <= reach[0] && m_present.sum <= reach[1]))
       return false;
-    set_reach({reach[0], reach[1]});
+    use_reach({reach[0], reach[1]});
     return true;
   }
   // Whether a vertex is so far out of the basis' parallelepiped that it is wrapped.
@@ -410,7 +410,7 @@ private:
   }
   static Point to_point(const Position_3& p) { return Point(p.x, p.y, p.z); }
 
-  void set_reach(const Torus_measures_3& reach)
+  void use_reach(const Torus_measures_3& reach)
   {
     m_reach = reach;
     squared_error = torus.squared_error(reach.largest, reach.sum);
