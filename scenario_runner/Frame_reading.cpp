@@ -204,15 +204,14 @@ void check_ascends(const Text_scanner& scanner, const std::string& what, std::in
 
 void set_box(Recorded_frame& frame, const Text_scanner& scanner, const Cell_3& box)
 {
-  frame.box = box.is_periodic_along_any() ? std::optional(box) : std::nullopt;
+  frame.box = box.number_of_periodic_sides() != 0 ? std::optional(box) : std::nullopt;
   const Cell cell = box.section();
   if (!cell.is_periodic[0] && !cell.is_periodic[1]) {
     return;
   }
   frame.cell = cell;
   if (const std::string flaw = flaw_of(cell); !flaw.empty()) {
-    const bool has_volume = box.is_finite() && box.volume() != 0.0;
-    if (!box.is_periodic_along_all() || !has_volume) {
+    if (!box.repeats_space()) {
       scanner.fail(flaw);
     }
     frame.flaw_in_plane = {flaw, scanner.line_number()};

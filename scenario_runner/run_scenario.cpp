@@ -228,10 +228,11 @@ int run_in_space(const run::Run_options& options, scenario::Motion_3& motion,
     throw std::invalid_argument(options.given_for_plane.front() +
                                 ": is for the plane, and the motion is in space");
   }
-  const run::Run_subject_3 subject{
-      motion.name(),   options.policy,
-      options.threads, motion.time_step(),
-      facts.seed,      motion.cell() ? std::optional<std::string>("torus") : std::nullopt};
+  run::Run_subject_3 subject{motion.name(),      options.policy, options.threads,
+                             motion.time_step(), facts.seed,     std::nullopt};
+  if (motion.cell()) {
+    subject.cell = motion.cell()->is_slab() ? "slab" : "torus";
+  }
   run::Run_summary_3 summary;
   {
     std::optional<run::Output_file> report;

@@ -26,13 +26,17 @@ struct Cell_3
   std::array<Point_3, 3> sides;
   std::array<bool, 3> is_periodic;
 
-  bool is_periodic_along_all() const
+  std::ptrdiff_t number_of_periodic_sides() const
   {
-    return std::all_of(is_periodic.begin(), is_periodic.end(), [](bool is) { return is; });
+    return std::count(is_periodic.begin(), is_periodic.end(), true);
   }
-  bool is_periodic_along_any() const
+  // Whether space is open across two periodic sides.
+  bool is_slab() const { return number_of_periodic_sides() == 2; }
+  // The numbers of the periodic sides of a slab.
+  std::array<std::size_t, 2> sides_of_slab() const
   {
-    return std::any_of(is_periodic.begin(), is_periodic.end(), [](bool is) { return is; });
+    return {is_periodic[0] ? std::size_t(0) : std::size_t(1),
+            is_periodic[2] ? std::size_t(2) : std::size_t(1)};
   }
 
   bool is_finite() const
@@ -48,6 +52,22 @@ struct Cell_3
     const auto& [a, b, c] = sides;
     return a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
            a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+
+  // How large the parallelogram of a slab's periodic sides is.
+  double area_of_slab() const
+  {
+    const auto [i, j] = sides_of_slab();
+    const Point_3 &a = sides[i], &b = sides[j];
+    return std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                      a[0] * b[1] - a[1] * b[0]);
+  }
+
+  // Whether it repeats space along three sides, or two.
+  bool repeats_space() const
+  {
+    const auto number = number_of_periodic_sides();
+    return is_finite() && (number == 3 ? volume() != 0.0 : number == 2 && area_of_slab() > 0.0);
   }
 
   // Whether it is a cube along the axes.
@@ -74,6 +94,19 @@ struct Cell_3
       }
     }
     return point;
+  }
+
+  // A shift by the first, the second and so on of the periodic sides as one by the sides.
+  Shift_3 shift_of_periodic_sides(const Shift_3& shift) const
+  {
+    Shift_3 by_sides{};
+    std::size_t next = 0;
+    for (std::size_t side = 0; side != 3; ++side) {
+      if (is_periodic[side]) {
+        by_sides[side] = shift[next++];
+      }
+    }
+    return by_sides;
   }
 
   friend bool operator==(const Cell_3& c, const Cell_3& d)

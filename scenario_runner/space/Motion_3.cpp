@@ -32,14 +32,19 @@ std::string periodic_sides_text(const Cell_3& box)
 // Why space cannot be repeated by a box; empty if it can.
 std::string flaw_of(const Cell_3& box)
 {
-  if (!box.is_periodic_along_all()) {
+  if (box.number_of_periodic_sides() == 1) {
     return "whose box is periodic only along its " + periodic_sides_text(box) +
-           " side: in space, it has to be so along all three sides, or along none";
+           " side: in space, it has to be so along all three sides, along two, or along none";
   }
   if (!box.is_finite()) {
     return "the sides of whose box are too long for a number";
   }
-  return box.volume() == 0.0 ? "whose box has no volume" : "";
+  if (box.repeats_space()) {
+    return "";
+  }
+  return box.is_slab() ? "whose box is periodic along its " + periodic_sides_text(box) +
+                             " side, which are parallel"
+                       : "whose box has no volume";
 }
 
 void check_frame(const std::string& file, const Recorded_frame& frame, const std::string& advice)
@@ -88,6 +93,12 @@ void check_in_space(const std::string& file, const Recording& recording, const s
       throw Scenario_error(file, "is in space, and the box of some frames is periodic, that of "
                                  "others is not" +
                                      advice);
+    }
+    if (frame.box && frame.box->is_periodic != recording.front().box->is_periodic) {
+      throw Scenario_error(file, "is in space, and the boxes of its frames are periodic along "
+                                 "different sides, that of the frame " +
+                                     std::to_string(frame.number) + " along its " +
+                                     periodic_sides_text(*frame.box) + " side" + advice);
     }
   }
 }

@@ -26,7 +26,8 @@ public:
   // The far corner of the box from the origin that the points do not leave, if there is one.
   virtual std::optional<Point_3> box() const { return std::nullopt; }
 
-  // The cell of the frame, periodic along all sides; none where space is open, in all frames.
+  // The cell of the frame, periodic along all sides, or in a slab along two; none where space is
+  // open. All frames are alike in this.
   virtual std::optional<Cell_3> cell() const { return std::nullopt; }
 };
 
@@ -34,9 +35,9 @@ public:
 bool is_in_space(const Recording& recording);
 
 // \throws Scenario_error, with the frame and the point, if a third coordinate of a recording in
-// space is no finite number; or if its boxes do not all make an open space, or all a periodic one,
-// which they are along all sides. `choice` is how the reader of the message says that the recording
-// is to be in the plane.
+// space is no finite number; or if its boxes do not all make an open space, or all one that is
+// periodic along the same sides, three or two. `choice` is how the reader of the message says that
+// the recording is to be in the plane.
 void check_in_space(const std::string& file, const Recording& recording, const std::string& choice);
 
 // A recording whose points have a third coordinate.

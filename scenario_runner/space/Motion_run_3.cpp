@@ -34,12 +34,18 @@ public:
 
   std::vector<Shown_cell_3> cells() const override
   {
+    const std::optional<scenario::Cell_3> box = motion().cell();
     std::vector<Shown_cell_3> cells;
     m_kept->for_each_cell(
         [&](const std::array<std::size_t, 4>& ids, const std::array<scenario::Shift_3, 4>& shifts) {
           Shown_cell_3 cell{{}, shifts};
           std::transform(ids.begin(), ids.end(), cell.places.begin(),
                          [this](std::size_t id) { return m_places[id]; });
+          if (box && box->is_slab()) {
+            for (scenario::Shift_3& shift : cell.shifts) {
+              shift = box->shift_of_periodic_sides(shift);
+            }
+          }
           cells.push_back(cell);
         });
     return cells;

@@ -74,9 +74,11 @@ void write_xyz_head(std::ostream& out, const Motion_run_3& run, const Bounds_3& 
   for (std::size_t i = 0; i != dimension; ++i) {
     out << (i == 0 ? "" : " ") << text_of(cell.sides[i]);
   }
-  out << "\" Origin=\"" << text_of(cell.corner) << "\" pbc=\""
-      << (cell.is_periodic_along_all() ? "T T T" : "F F F")
-      << "\" Properties=id:" << (are_ids_words(run.motion()) ? 'S' : 'I')
+  out << "\" Origin=\"" << text_of(cell.corner) << "\" pbc=\"";
+  for (std::size_t i = 0; i != dimension; ++i) {
+    out << (i == 0 ? "" : " ") << (cell.is_periodic[i] ? 'T' : 'F');
+  }
+  out << "\" Properties=id:" << (are_ids_words(run.motion()) ? 'S' : 'I')
       << ":1:species:S:1:pos:R:3 Time=" << number_text(run.motion().time())
       << " Frame=" << run.record().number << '\n';
 }

@@ -112,6 +112,9 @@ void Periodic_opponents_3::prepare(const scenario::Motion_3& motion,
   for (const auto& [x, y, z] : motion.points()) {
     m_points.emplace_back(x, y, z);
   }
+  if (m_cell->is_slab()) {
+    return;
+  }
   if (m_cell->is_cube()) {
     const double side = m_cell->sides[0][0];
     for (const auto& [x, y, z] : motion.points()) {
@@ -127,6 +130,9 @@ double Periodic_opponents_3::time_insert()
   // CGAL is told that there are so many points that one copy of them suffices, where that is
   // faster.
   constexpr std::size_t large = 100;
+  if (m_cell->is_slab()) {
+    return time_fresh();
+  }
   if (!m_cell->is_cube()) {
     return m_ghosts.time_insert();
   }
@@ -141,14 +147,22 @@ double Periodic_opponents_3::time_insert()
 
 double Periodic_opponents_3::time_fastest()
 {
+  if (m_cell->is_slab()) {
+    return time_fresh();
+  }
   const double by_ghosts = m_ghosts.time_fastest();
   if (!m_may_fresh_win) {
     return by_ghosts;
   }
-  const double fresh =
-      nanoseconds_of([this] { m_fresh.emplace(m_points, periodic_cell(*m_cell)); });
+  const double fresh = time_fresh();
   m_may_fresh_win = fresh < 3.0 * by_ghosts;
   return (std::min)(fresh, by_ghosts);
+}
+
+double Periodic_opponents_3::time_fresh()
+{
+  m_fresh.reset();
+  return nanoseconds_of([this] { m_fresh.emplace(m_points, periodic_cell(*m_cell)); });
 }
 
 // All images in the cell and the margin. Where that would be far more than anyone would

@@ -78,13 +78,20 @@ Particle_description_3 read_particles(const Json_object_reader& reader)
   return particles;
 }
 
+std::array<bool, 3> periodic_axes(const Json_object_reader& reader)
+{
+  const std::string cell =
+      reader.has("cell") ? reader.choice("cell", {"closed", "periodic", "slab"}) : "closed";
+  const bool is_periodic = cell != "closed";
+  return {is_periodic, is_periodic, cell == "periodic"};
+}
+
 Brownian_description_3 read_brownian(const Json_object_reader& reader)
 {
   reader.allow_only(
       {"dimension", "name", "kind", "seed", "frames", "time_step", "points", "box", "cell"});
   return {reader.count("points", max_points), reader.triple("box", magnitude),
-          reader.number("time_step", positive_up_to(largest_time_step)),
-          reader.has("cell") && reader.choice("cell", {"closed", "periodic"}) == "periodic"};
+          reader.number("time_step", positive_up_to(largest_time_step)), periodic_axes(reader)};
 }
 
 } // namespace

@@ -50,8 +50,8 @@ struct Brownian_description_3
 {
   std::size_t points;
   Box_3 box;
-  double time_step; // standard deviation of a step along each axis, in mean spacings
-  bool is_periodic; // the box, along all sides; else they reflect the points
+  double time_step;                // standard deviation of a step along each axis, in mean spacings
+  std::array<bool, 3> is_periodic; // the box, along each axis; else its sides reflect the points
 };
 
 struct Scenario_description_3

@@ -70,11 +70,9 @@ Brownian_motion_3::Brownian_motion_3(const Scenario_description_3& description,
 
 std::optional<Cell_3> Brownian_motion_3::cell() const
 {
-  if (!m_is_periodic) {
-    return std::nullopt;
-  }
   const auto& [width, depth, height] = m_box;
-  return Cell_3{{}, {{{width, 0, 0}, {0, depth, 0}, {0, 0, height}}}, {true, true, true}};
+  const Cell_3 cell{{}, {{{width, 0, 0}, {0, depth, 0}, {0, 0, height}}}, m_is_periodic};
+  return cell.number_of_periodic_sides() == 0 ? std::nullopt : std::optional(cell);
 }
 
 bool Brownian_motion_3::advance(const Neighbor_edges&)
@@ -82,7 +80,8 @@ bool Brownian_motion_3::advance(const Neighbor_edges&)
   for (Point_3& point : m_points) {
     for (std::size_t axis = 0; axis != 3; ++axis) {
       const double place = point[axis] + m_step * m_random.gaussian();
-      point[axis] = m_is_periodic ? wrapped(place, m_box[axis]) : reflected(place, m_box[axis]);
+      point[axis] =
+          m_is_periodic[axis] ? wrapped(place, m_box[axis]) : reflected(place, m_box[axis]);
     }
   }
   m_time += 1.0;

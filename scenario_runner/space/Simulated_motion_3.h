@@ -8,6 +8,7 @@
 #include "scenario_runner/space/Motion_3.h"
 #include "scenario_runner/space/Scenario_file_3.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -40,7 +41,8 @@ private:
 };
 
 // Points that start uniformly in a box and take an independent Gaussian step every frame; the sides
-// of the box reflect them, or it is periodic, and they are wrapped into it.
+// of the box reflect them, or it is periodic along all of them or two, and they are wrapped into
+// it.
 class Brownian_motion_3 : public Simulated_motion_3
 {
 public:
@@ -50,14 +52,14 @@ public:
   double time() const override { return m_time; }
   std::optional<Point_3> box() const override
   {
-    return m_is_periodic ? std::nullopt : std::optional(m_box);
+    return cell() ? std::nullopt : std::optional(m_box);
   }
   std::optional<Cell_3> cell() const override;
   bool advance(const Neighbor_edges&) override;
 
 private:
   Box_3 m_box;
-  bool m_is_periodic;
+  std::array<bool, 3> m_is_periodic; // along each axis
   Random_source m_random;
   double m_step; // its standard deviation along each axis
   double m_time = 0.0;
