@@ -41,24 +41,25 @@ class PeriodicNeighborLists3D(NamedTuple):
 
 class PeriodicVoronoiCells3D(NamedTuple):
     """Voronoi cells of points in periodic space, a row for each id; zeros for ids that are free. Of a population, a row
-    for each point. The volumes add up to that of the periodic cell.
+    for each point. The volumes add up to that of the periodic cell. In a slab the cells of its highest and lowest
+    points are unbounded.
 
     Points that coincide share a cell: each has its share of the volume, and the first of them has the facets.
     """
 
     volumes: NDArray[np.float64]
-    """float64 (rows,), in the cubed unit of the coordinates"""
+    """float64 (rows,), in the cubed unit of the coordinates. ``inf`` where a cell is unbounded."""
     surface_areas: NDArray[np.float64]
-    """float64 (rows,), in the squared unit"""
+    """float64 (rows,), in the squared unit; ``inf`` where a cell is unbounded."""
     centroids: NDArray[np.float64]
-    """float64 (rows, 3), near to the points as they were given"""
+    """float64 (rows, 3), near to the points as they were given; an unbounded cell has its point instead."""
     indptr: NDArray[np.int64]
     """int64 (rows + 1,): the facets of row i are those from ``indptr[i]`` to ``indptr[i + 1]``."""
     neighbors: NDArray[np.int32]
     """int32 (facets,): the row on the other side of each facet, ascending for each row. Which cells share a facet is
     decided exactly."""
     facet_areas: NDArray[np.float64]
-    """float64 (facets,), in the squared unit"""
+    """float64 (facets,), in the squared unit; ``inf`` where a facet is unbounded."""
     shifts: NDArray[np.int32]
     """int32 (facets, 3): which image the other side is"""
     vectors: NDArray[np.float64]
@@ -66,24 +67,25 @@ class PeriodicVoronoiCells3D(NamedTuple):
 
 
 def is_cell_in_space(cell: Any) -> bool:
-    """Whether the shape is (3,) or (3, 3). What is no array at all is refused where cells are read."""
+    """Whether the shape is (3,), (3, 3) or (2, 3). What is no array at all is refused where cells are read."""
     try:
-        return np.shape(cell) in ((3,), (3, 3))
+        return np.shape(cell) in ((3,), (3, 3), (2, 3))
     except (TypeError, ValueError):
         return False
 
 
-def _numbers(cell: ArrayLike) -> list[float]:
-    """From three sides, or three vectors as rows."""
+def _vectors(cell: ArrayLike) -> list[list[float]]:
+    """From three sides, or three vectors as rows, or the two of a slab."""
     array = as_floats("a cell", cell)
     if array.shape == (3,):
         array = np.diag(array)
-    if array.shape != (3, 3):
+    if array.shape not in ((3, 3), (2, 3)):
         raise PeriodicCellError(
-            f"a cell of points in space has the shape {array.shape}: it must be (3,) for the sides of a box, or (3, 3) "
-            "for three vectors, a row each"
+            f"a cell of points in space has the shape {array.shape}: it must be (3,) for the sides of a box, (3, 3) for "
+            "three vectors, a row each, or (2, 3) for those of a slab"
         )
-    return [float(number) for number in array.flat]
+    vectors: list[list[float]] = array.tolist()
+    return vectors
 
 
 class _InPeriodicSpace(ChangedEdgeShifts, Checkpoints, Places, Rows, _core.PeriodicTriangulation3D):
@@ -100,12 +102,12 @@ class _InPeriodicSpace(ChangedEdgeShifts, Checkpoints, Places, Rows, _core.Perio
     def _init(self, cell: ArrayLike, settings: dict[str, Any]) -> None:
         threads = as_integer("threads", settings["threads"], 2**31)
         settings = dict(threads=threads, changes=checked_changes(settings["changes"]))
-        self._start(threads or number_of_processors(), settings["changes"], self._has_user_ids, _numbers(cell))
+        self._start(threads or number_of_processors(), settings["changes"], self._has_user_ids, _vectors(cell))
         self._settings = settings
 
     @property
     def cell(self) -> NDArray[np.float64]:
-        """float64 (3, 3): the vectors of the cell, a row each."""
+        """float64 (vectors, 3): the vectors of the cell, a row each: three, or two of a slab."""
         return self._cell()
 
     @property
@@ -150,7 +152,7 @@ class _InPeriodicSpace(ChangedEdgeShifts, Checkpoints, Places, Rows, _core.Perio
         return self._volumes()
 
     def voronoi_cells(self) -> PeriodicVoronoiCells3D:
-        """The Voronoi cells of all rows, which fill the cell. Cost: linear, in each call; some microseconds a point."""
+        """The Voronoi cells of all rows, which fill space. Cost: linear, in each call; some microseconds a point."""
         return PeriodicVoronoiCells3D(*self._voronoi_cells())
 
     def neighbor_list(self) -> NeighborList:
@@ -191,7 +193,8 @@ def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> 
 
 class PeriodicDelaunay3D(ChangedEdges, _InPeriodicSpace):
     """The Delaunay triangulation of moving points in a periodic cell in space, which ``PeriodicDelaunay(points, cell)``
-    makes of points (n, 3), or of a cell in space. The cell may change with every frame.
+    makes of points (n, 3), or of a cell in space. The cell may change with every frame; only one that is a slab stays
+    one.
 
     It is of one sheet, and exact, however few points there are. An edge goes from a point to the image of another one,
     or of itself, by a shift (i, j, k), which is moved by i times the first vector of the cell, j times the second one
@@ -203,7 +206,9 @@ class PeriodicDelaunay3D(ChangedEdges, _InPeriodicSpace):
     points : array_like, float (n, 3)
         Positions, wrapped or not.
     cell : array_like
-        (3,) the sides of a box; (3, 3) three vectors, a row each, at any angles.
+        (3,) the sides of a box; (3, 3) three vectors, a row each, at any angles; (2, 3) the two vectors of a slab,
+        which is open across them, as a film or what is between two walls. The third number of each shift is 0 there,
+        and simplices fill the layer between the highest and the lowest points.
     changes : bool
         Whether to record created and removed edges. That costs time for each tetrahedron that changes.
     threads : int
@@ -228,7 +233,7 @@ class PeriodicDelaunay3D(ChangedEdges, _InPeriodicSpace):
         """Move point i to row i of ``points``, float (number_of_ids, 3), in the same cell, or in one that has changed,
         also to other vectors of the same lattice. Where a point is wrapped, it has gone to the nearest image. Rows of
         removed ids are ignored."""
-        return self._update(points, None, None if cell is None else _numbers(cell))
+        return self._update(points, None, None if cell is None else _vectors(cell))
 
     def insert(self, points: ArrayLike) -> NDArray[np.int64]:
         """Add points, float (m, 3), or one, (3,); return their ids, int64 (m,)."""
@@ -273,7 +278,7 @@ class PeriodicPopulation3D(ChangedEdgesByIds, _InPeriodicSpace):
         """Take a whole frame, ids int (n,) and positions float (n, 3) in any order, in the same cell, or in one that
         has changed: remove points whose ids are missing, move the others, and insert those with new ids. Nothing
         changes if an id is there twice."""
-        return self._update(points, ids, None if cell is None else _numbers(cell))
+        return self._update(points, ids, None if cell is None else _vectors(cell))
 
     def insert(self, ids: ArrayLike, points: ArrayLike) -> None:
         """Add points, float (m, 3), or one, (3,), by new ids, int (m,), or one."""

@@ -28,8 +28,8 @@ class RecordedFrame(NamedTuple):
     points: NDArray[np.float64]
     """float64 (n, 2): x and y of each point; (n, 3) of a recording in space: x, y and z"""
     cell: Optional[NDArray[np.float64]]
-    """float64 (2, 2): the vectors of the periodic cell; (1, 2) of a slab; (3, 3) of a recording in space; None where
-    space is open"""
+    """float64 (2, 2): the vectors of the periodic cell; (1, 2) of a slab; (3, 3) of a recording in space, or (2, 3)
+    of a slab; None where space is open"""
 
 
 def read_recording(
@@ -52,7 +52,7 @@ def read_recording(
         2 for x and y alone, 3 for x, y and z; without it, 3 if z of some points differ.
 
     RecordingError if the file cannot be read as it should, with the line, or if it is in space and its box is periodic
-    along one or two of its sides; ``FileNotFoundError`` if there is none.
+    along only one of its sides; ``FileNotFoundError`` if there is none.
     """
     if columns is not None and not isinstance(columns, str):
         raise InputTypeError(f"the columns are {columns!r}: they must be text, such as 'frame,id,x,y'")

@@ -10,9 +10,10 @@
 
 #include <pybind11/stl.h>
 
-#include <array>
+#include <cstddef>
 #include <optional>
 #include <utility>
+#include <vector>
 
 namespace py = pybind11;
 
@@ -21,20 +22,19 @@ namespace python {
 namespace {
 
 using Report = Periodic_subject_3::Report;
-using Numbers = std::array<double, 9>; // three vectors
+using Vectors = std::vector<CGAL::Periodic_cell_3::Coordinates>; // three, or two of a slab
 
-CGAL::Periodic_cell_3 cell_of(const Numbers& n)
+CGAL::Periodic_cell_3 cell_of(const Vectors& vectors)
 {
-  using Coordinates = CGAL::Periodic_cell_3::Coordinates;
-  return CGAL::Periodic_cell_3(Coordinates{n[0], n[1], n[2]}, Coordinates{n[3], n[4], n[5]},
-                               Coordinates{n[6], n[7], n[8]});
+  return vectors.size() == 2 ? CGAL::Periodic_cell_3(vectors.at(0), vectors.at(1))
+                             : CGAL::Periodic_cell_3(vectors.at(0), vectors.at(1), vectors.at(2));
 }
 
 // What Python holds.
 class Periodic_triangulation_3 : public Guarded_subject<Periodic_subject_3>
 {
 public:
-  void start(unsigned threads, bool changes, bool is_population, const Numbers& cell)
+  void start(unsigned threads, bool changes, bool is_population, const Vectors& cell)
   {
     check_is_new();
     m_number_of_threads = threads;
@@ -48,7 +48,7 @@ public:
     Guarded_subject::start(m_number_of_threads, std::move(copy), other.last_report());
   }
 
-  Report update(const py::object& points, const py::object& ids, const std::optional<Numbers>& cell)
+  Report update(const py::object& points, const py::object& ids, const std::optional<Vectors>& cell)
   {
     const Input its_points = positions_input(points), its_ids = input_of_ids(ids, its_points);
     std::optional<CGAL::Periodic_cell_3> its_cell;
@@ -65,8 +65,8 @@ public:
     std::vector<double> numbers;
     const CGAL::Periodic_cell_3 its_cell =
         read([](const Periodic_subject_3& subject) { return subject.cell(); });
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto& vector = its_cell.vector(i);
+    for (int i = 0; i < its_cell.dimension(); ++i) {
+      const auto& vector = its_cell.vector(std::size_t(i));
       numbers.insert(numbers.end(), vector.begin(), vector.end());
     }
     return to_numpy({std::move(numbers), {3}});

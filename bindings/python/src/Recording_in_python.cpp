@@ -77,8 +77,11 @@ py::object cell_of(const scenario::Recorded_frame& frame, std::size_t dimension)
 {
   if (dimension == 3 && frame.box) {
     std::vector<double> vectors;
-    for (const scenario::Point_3& side : frame.box->sides) {
-      vectors.insert(vectors.end(), side.begin(), side.end());
+    for (std::size_t i = 0; i < 3; ++i) {
+      const scenario::Point_3& side = frame.box->sides[i];
+      if (frame.box->is_periodic[i]) {
+        vectors.insert(vectors.end(), side.begin(), side.end());
+      }
     }
     return to_numpy({std::move(vectors), {3}});
   }

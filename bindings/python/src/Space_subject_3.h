@@ -16,6 +16,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_point_queries_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_population_3.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
@@ -179,11 +180,18 @@ private:
     }
   }
 
-  // About how many images of a point are in a sphere.
+  // About how many images of a point are in a sphere; in a slab, of one in its middle plane.
   double images_within(double radius) const
   {
-    constexpr double factor = 4.18879; // 4 pi / 3
-    return factor * radius * radius * (radius / dt().cell().volume());
+    constexpr double pi = 3.14159;
+    const auto& cell = dt().cell();
+    if (cell.is_slab()) {
+      const auto &a = cell.a(), &b = cell.b();
+      const double area = std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                                     a[0] * b[1] - a[1] * b[0]);
+      return pi * radius * (radius / area);
+    }
+    return 4 * pi / 3 * radius * radius * (radius / cell.volume());
   }
 
   // Throws as a removal does if one is not there.

@@ -182,11 +182,10 @@ def test_refuses_what_cannot_be_in_space(tmp_path):
         with pytest.raises(errors.RecordingError, match=wrong):
             read(tmp_path, "table.csv", text)
         assert len(read(tmp_path, "table.csv", text, dimension=2)) == 2
-    for bounds, sides in (("pp ff ff", "first"), ("ff pp ff", "second"), ("ff ff pp", "third"),
-                          ("pp pp ff", "first and its second")):
+    for bounds, sides in (("pp ff ff", "first"), ("ff pp ff", "second"), ("ff ff pp", "third")):
         dump = dump_of(5, ["1 1 1 2 3", "2 1 1 2 4"], bounds=f"{bounds}\n0 10\n0 8\n0 8")
-        wrong = (f"dump: is in space, and has the frame 5, whose box is periodic only along its {sides} side: in "
-                 "space, it has to be so along all three sides, or along none; dimension=2 takes x and y alone$")
+        wrong = (f"dump: is in space, and has the frame 5, whose box is periodic only along its {sides} side: in space, "
+                 "it has to be so along all three sides, along two, or along none; dimension=2 takes x and y alone$")
         with pytest.raises(errors.RecordingError, match=wrong) as refused:
             read(tmp_path, "motion.dump", dump)
         assert isinstance(refused.value, ValueError) and refused.value.line == 0
