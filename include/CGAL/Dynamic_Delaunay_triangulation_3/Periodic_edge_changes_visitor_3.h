@@ -46,7 +46,11 @@ public:
     /// \cond
     friend bool operator<(const Edge& e, const Edge& f)
     {
-      return std::tie(e.i, e.j, e.shift) < std::tie(f.i, f.j, f.shift);
+      // one by one: g++ 12 takes whole arrays for uninitialized here
+      const auto members = [](const Edge& d) {
+        return std::tie(d.i, d.j, d.shift[0], d.shift[1], d.shift[2]);
+      };
+      return members(e) < members(f);
     }
     friend bool operator==(const Edge& e, const Edge& f)
     {
