@@ -183,7 +183,10 @@ public:
     : m_view(state)
   {
   }
-  double error() const { return std::sqrt(m_view.squared_error()) * (1 + 0x1p-50); }
+  static double error_of(const Torus_state_3<Traits, ConcurrencyTag>& state)
+  {
+    return std::sqrt(state.squared_error) * (1 + 0x1p-50);
+  }
 
   template <class Cell_at, class Learned>
   void append_unproved(std::size_t number, const Cell_at& cell_at, const Learned& learned,

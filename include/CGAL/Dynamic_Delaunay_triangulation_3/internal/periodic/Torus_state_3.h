@@ -276,9 +276,9 @@ public:
 
   Torus_state_3 without_points() const { return Torus_state_3(torus.cell()); }
 
-  using typename Base::Parts;
   using Base::arrays;
   using Base::positions;
+  using typename Base::Parts;
 
   Point point(Vertex_index v) const { return to_point(positions.base(v)); }
   static Point point_at(const Place& place) { return to_point(place.base); }
@@ -339,11 +339,11 @@ public:
     use_reach(m_present);
   }
   // A vertex that is held is carried by others' ways: at most twice as far as all go.
-  bool begin_frame(const Position_3&, const Positions& previous, bool has_other_cell)
+  // That depends on both frames alone, as after a checkpoint.
+  bool begin_frame(const Position_3&, const Positions& previous)
   {
-    Torus_measures_3 reach = has_other_cell ? measures(previous) : m_present;
     m_present = measures(positions);
-    reach = reach.with(m_present);
+    Torus_measures_3 reach = measures(previous).with(m_present);
     reach.largest *= 4;
     use_reach(reach);
     return true;

@@ -42,7 +42,9 @@ public:
   {
     Safe_cells_3& safe_cells = state.arrays.safe_cells();
     const bool is_possible = state.positions_are_exact && is_whole;
-    if (!is_possible)
+    const double error = Pass_view_3<State>::error_of(state);
+    if (!is_possible ||
+        error > 1.5 * m_error) // slacks keep twice the room that the filter asks for
       safe_cells.stop();
     const bool is_due = is_possible && !safe_cells.is_on() && is_rested();
     const double way = is_due || safe_cells.is_on() ? longest_way(state, previous, mean) : 0;
@@ -106,7 +108,7 @@ private:
       largest = square <= largest ? largest : square;
     // squares below 1e-300 may have underflowed
     return std::sqrt(largest) * (1 + 0x1p-48) + 0x1p-51 * std::sqrt(squared_length(mean)) + 1e-140 +
-           Pass_view_3<State>(state).error();
+           Pass_view_3<State>::error_of(state);
   }
 
   // Learns slacks of all cells in this frame, if a sample of them tells that few will have to be
@@ -120,6 +122,7 @@ private:
     std::nth_element(slacks.begin(), slacks.begin() + sample / 2, slacks.end());
     if (10 * tested < 3 * sample && slacks[sample / 2] > 1e-100) {
       state.arrays.safe_cells().start(state.arrays.number_of_cells(), slacks[sample / 2]);
+      m_error = Pass_view_3<State>::error_of(state);
       m_is_going_on = false;
     } else {
       rest();
@@ -134,13 +137,14 @@ private:
     const auto append = [&](Cell_index, double slack) { slacks.push_back(slack); };
     view.append_unproved(
         sample, [cells](std::size_t n) { return Cell_index(cells * n / sample); },
-        Slacks_learned_3(view.error(), append), unproved);
+        Slacks_learned_3(view.error_of(state), append), unproved);
     slacks.resize(sample, 0); // infinite cells are never safe
     return slacks;
   }
 
   unsigned m_rest = 1, m_next_rest = shortest_rest; // frames
   bool m_is_going_on = false;                       // not in the first frame
+  double m_error = 0;                               // of rounded vectors in the first frame
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

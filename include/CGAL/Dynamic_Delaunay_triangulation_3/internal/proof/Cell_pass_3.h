@@ -169,7 +169,7 @@ struct Pass_view_3
     , positions(state.positions.data())
   {
   }
-  static double error() { return 0; }
+  static double error_of(const State&) { return 0; } // of vectors between rounded positions
 
   template <class Cell_at, class Learned>
   void append_unproved(std::size_t number, const Cell_at& cell_at, const Learned& learned,
@@ -228,13 +228,14 @@ std::size_t find_unproved_unless_safe(State& state, Unproved_cells_3& unproved)
   std::atomic<std::size_t> tested{0};
   Safe_cells_3& safe_cells = state.arrays.safe_cells();
   const Pass_view_3<State> view(state);
+  const double error = view.error_of(state);
   const auto set_slack = [&](Cell_index c, double slack) { safe_cells.set_slack(c, slack); };
   const auto append = [&](std::size_t first, std::size_t beyond, Unproved_cells_3& list) {
     std::vector<Cell_index> doubtful;
     safe_cells.list_doubtful(first, beyond, doubtful);
     view.append_unproved(
         doubtful.size(), [&](std::size_t n) { return doubtful[n]; },
-        Slacks_learned_3(view.error(), set_slack), list);
+        Slacks_learned_3(error, set_slack), list);
     tested += doubtful.size();
   };
   append_by_parts(state, append, unproved);

@@ -28,8 +28,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //   void note_move(id, p, q, v)       for visitors: a point of v is about to move from p to q
 //   void include(place)               a vertex has got this place: filters have to reckon with it
 //   void include_all()                the same, of all vertices anew
-//   bool begin_frame(mean, previous, has_other_cell)
-//                                     vertices have new positions; false if nothing can be mended
+//   bool begin_frame(mean, previous)  vertices have new positions; false if nothing can be mended
 //   void end_change()                 before a call ends that has mended something
 //   void begin_rebuild()              all points are about to get other vertices
 //   renumber_vertices(numbers, n)     of the cells, as `Cell_arrays_3::renumber_all()`

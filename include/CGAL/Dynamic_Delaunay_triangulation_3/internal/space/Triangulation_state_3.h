@@ -146,7 +146,7 @@ public:
   }
 
   // The origin goes with the others.
-  bool begin_frame(const Position_3& mean, const Positions&, bool)
+  bool begin_frame(const Position_3& mean, const Positions&)
   {
     origin = origin + mean;
     return is_finite(origin);

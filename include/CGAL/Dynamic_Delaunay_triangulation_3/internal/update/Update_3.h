@@ -217,7 +217,7 @@ private:
     m_other.carry(m_state);
     m_report.parted = m_waiting.part_covered();
     const Position_3 old_origin = m_state.origin, mean = mean_motion();
-    if (!m_state.begin_frame(mean, m_other.positions, m_other.has_other_cell()))
+    if (!m_state.begin_frame(mean, m_other.positions))
       return Reason::STUCK;
     m_calm_frames.find_unproved(m_state, m_other.positions, mean, !m_other.has_other_cell(),
                                 m_unproved);
