@@ -109,7 +109,7 @@ class Dynamic_Delaunay_triangulation_2
         Dynamic_Delaunay_triangulation_2<Traits, Classifier, Options...>>
 {
   using Base = Dynamic_triangulation_base_2<Dynamic_Delaunay_triangulation_2>;
-  friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
+  friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access;
   using typename Base::Face_index;
   using typename Base::Point_id;
   using typename Base::State;

@@ -70,7 +70,7 @@ class Dynamic_Delaunay_triangulation_3
                       Options...>::Concurrency_tag>,
       Options...>;
   friend Base;
-  friend Dynamic_Delaunay_triangulations_3::internal::Access_3;
+  friend Dynamic_Delaunay_triangulations_3::internal::Triangulation_access;
   using Base::cells;
   using Base::ids;
   using Base::representative_of;

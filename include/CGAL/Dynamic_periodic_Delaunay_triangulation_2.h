@@ -109,7 +109,7 @@ class Dynamic_periodic_Delaunay_triangulation_2
         Dynamic_periodic_Delaunay_triangulation_2<Kernel, Classifier, Options...>>
 {
   using Base = Dynamic_triangulation_base_2<Dynamic_periodic_Delaunay_triangulation_2>;
-  friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
+  friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access;
   using Arrays = Dynamic_Delaunay_triangulations_2::internal::Halfedge_arrays_2;
   using typename Base::Edge_index;
   using typename Base::Face_index;

@@ -74,7 +74,7 @@ class Dynamic_periodic_Delaunay_triangulation_3
                       Options...>::Concurrency_tag>,
       Options...>;
   friend Base;
-  friend Dynamic_Delaunay_triangulations_3::internal::Access_3;
+  friend Dynamic_Delaunay_triangulations_3::internal::Triangulation_access;
   using Base::ids;
   using Base::state;
   using typename Base::Cell_index;

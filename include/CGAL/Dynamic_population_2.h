@@ -6,31 +6,19 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/Dynamic_population_base.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/Dynamic_triangulation_base_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Population_frame.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/space/Input_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
-#include <CGAL/property_map.h>
 
-#include <cstddef>
 #include <cstdint>
-#include <istream>
-#include <iterator>
-#include <ostream>
 #include <string_view>
 #include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 
-namespace Dynamic_Delaunay_triangulations_2 {
-namespace internal {
+namespace Dynamic_Delaunay_triangulations_2::internal {
 
 // What a population takes from its triangulation. A periodic one has no vertex handles.
 template <class Dynamic, class = void>
@@ -48,8 +36,7 @@ struct Population_traits_2<Dynamic, std::void_t<typename Dynamic::Vertex_handle>
   static constexpr std::string_view checkpoint_subject = "Dynamic_population_2";
 };
 
-} // namespace internal
-} // namespace Dynamic_Delaunay_triangulations_2
+} // namespace Dynamic_Delaunay_triangulations_2::internal
 
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref
@@ -64,336 +51,29 @@ new ids are inserted, points whose ids are missing are removed, and the others m
 */
 template <class Dynamic, class UserId = std::int64_t>
 class Dynamic_population_2
+  : public Dynamic_population_base<Dynamic_population_2<Dynamic, UserId>, Dynamic, UserId>
 {
-  static_assert(std::is_integral_v<UserId>, "the ids of a population are integers");
-  template <class Range>
-  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
-  template <class Iterator>
-  using First_of = Dynamic_Delaunay_triangulations_2::internal::First_of<Iterator>;
-  template <class Iterator>
-  using Second_of = Dynamic_Delaunay_triangulations_2::internal::Second_of<Iterator>;
-  template <class Map>
-  using If_map = Dynamic_Delaunay_triangulations_2::internal::If_map<Map>;
-  using Access = Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
+  using Base = Dynamic_population_base<Dynamic_population_2, Dynamic, UserId>;
+  friend Base;
   using Traits = Dynamic_Delaunay_triangulations_2::internal::Population_traits_2<Dynamic>;
+  static constexpr std::string_view checkpoint_subject = Traits::checkpoint_subject;
 
 public:
-  /// \name Types
-  /// @{
+  using Base::Base;
 
-  /// the triangulation.
-  using Triangulation = Dynamic;
-  /// an id of the user.
-  using User_id = UserId;
-  /// a point.
-  using Point = typename Dynamic::Point;
   /// a vertex of the CGAL triangulation.
   using Vertex_handle = typename Traits::Vertex_handle;
-  /// the type of counts, and of the ids in `triangulation()`.
-  using size_type = std::size_t;
 
-  /// @}
-  /// \name Creation
-  /// @{
+  using Base::user_id;
 
-  /// creates a population without points, with a triangulation constructed by default. A periodic
-  /// triangulation has no default constructor.
-  Dynamic_population_2()
-    : Dynamic_population_2(Dynamic())
-  {
-  }
-
-  /// creates a population without points.
-  /// \param triangulation has the classifier, repair, engines, policy and visitor to be used, and
-  ///   the cell of periodic space.
-  /// \pre `triangulation` has no points.
-  explicit Dynamic_population_2(Dynamic triangulation)
-    : m_triangulation(std::move(triangulation))
-  {
-    CGAL_precondition(m_triangulation.number_of_points() == 0);
-  }
-
-  /// @}
-  /// \name Change
-  /// If one of these functions throws an exception that its documentation names, or if the range
-  /// throws, nothing changes. After any other exception each point is either inserted (or removed)
-  /// completely or not at all, and the triangulation may be uncertified; `mend()` certifies it
-  /// again, and so does the next update if the classifier is exact.
-  /// @{
-
-  /// takes a whole frame: inserts the points whose ids are new, removes those whose ids are
-  /// missing, and moves the others. The order of the range does not matter.
-  ///
-  /// This is one update, as by `Dynamic_Delaunay_triangulation_2::update()`: one classification,
-  /// one repair, one certificate, and at most one rebuild. Missing points are removed before the
-  /// repair, new ones are inserted after it. Cost: that of the update, and of looking up the ids,
-  /// which is almost free for points that follow each other as in the last frame; for inserted and
-  /// removed points, proportional to their number. Never much more than a rebuild.
-  ///
-  /// \tparam IdMap, PointMap models of `ReadablePropertyMap` from the range's values to `User_id`
-  /// and
-  ///   to `Point`; by default the values are pairs of both.
-  /// \throws Repeated_id_error_2 if an id is given more than once.
-  /// \throws Non_finite_coordinate_error_2 if a coordinate is NaN or infinite, or
-  /// Coordinate_range_error_2 if it is too large, or in periodic space Periodic_range_error_2 if a
-  /// point is too many cells from the origin; the `id()` of these is the place in the range,
-  /// counted from 0. \throws Point_limit_error_2 if there are more points than 32 bits allow.
-  template <class InputIterator, class IdMap = First_of<InputIterator>,
-            class PointMap = Second_of<InputIterator>, class = If_map<IdMap>>
-  Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
-                         PointMap point_map = PointMap())
-  {
-    return update_to(first, beyond, id_map, point_map);
-  }
-
-  /// takes a whole frame from a range with `begin()` and `end()`.
-  template <class Range, class IdMap = First_of<If_range<Range>>,
-            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>,
-            class = If_map<IdMap>>
-  Update_report_2 update(const Range& range, IdMap id_map = IdMap(),
-                         PointMap point_map = PointMap())
-  {
-    return update_to(std::begin(range), std::end(range), id_map, point_map);
-  }
-
-  /// takes a whole frame of a `Dynamic_periodic_Delaunay_triangulation_2`, in a cell that has
-  /// changed. \throws Periodic_cell_error_2 as
-  /// `Dynamic_periodic_Delaunay_triangulation_2::update()` does, before the range is read.
-  template <class InputIterator, class IdMap, class PointMap>
-  Update_report_2 update(InputIterator first, InputIterator beyond, IdMap id_map,
-                         PointMap point_map, const Periodic_cell_2& cell)
-  {
-    return update_to(first, beyond, id_map, point_map, cell);
-  }
-
-  /// takes a whole frame of pairs of ids and points, in a cell that has changed.
-  template <class InputIterator>
-  Update_report_2 update(InputIterator first, InputIterator beyond, const Periodic_cell_2& cell)
-  {
-    return update_to(first, beyond, First_of<InputIterator>(), Second_of<InputIterator>(), cell);
-  }
-
-  /// takes a whole frame, in a cell that has changed, from a range with `begin()` and `end()`.
-  template <class Range, class IdMap, class PointMap, class = If_range<Range>>
-  Update_report_2 update(const Range& range, IdMap id_map, PointMap point_map,
-                         const Periodic_cell_2& cell)
-  {
-    return update_to(std::begin(range), std::end(range), id_map, point_map, cell);
-  }
-
-  /// takes a whole frame of pairs of ids and points, in a cell that has changed, from a range.
-  template <class Range, class = If_range<Range>>
-  Update_report_2 update(const Range& range, const Periodic_cell_2& cell)
-  {
-    return update(std::begin(range), std::end(range), cell);
-  }
-
-  /// adds a point. \throws Repeated_id_error_2 if a point has this id already.
-  /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 if
-  /// `p` is not allowed; their `id()` is 0. \throws Point_limit_error_2 as `update()`.
-  Update_report_2 insert(UserId user_id, const Point& p)
-  {
-    const std::pair<UserId, Point> newcomer(user_id, p);
-    return insert(&newcomer, &newcomer + 1);
-  }
-
-  /// adds the points of a range, as `Dynamic_Delaunay_triangulation_2::insert()` does.
-  /// The parameters are those of `update()`.
-  /// \throws Repeated_id_error_2 if a point has one of these ids already, or if an id is given more
-  /// than once. \throws Non_finite_coordinate_error_2, Coordinate_range_error_2,
-  /// Periodic_range_error_2 or Point_limit_error_2 as `update()`.
-  template <class InputIterator, class IdMap = First_of<InputIterator>,
-            class PointMap = Second_of<InputIterator>>
-  Update_report_2 insert(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
-                         PointMap point_map = PointMap())
-  {
-    Dynamic_Delaunay_triangulations_2::internal::length_within_limit(first, beyond, size());
-    m_frame.read_newcomers(first, beyond, id_map, point_map,
-                           Access::position_check(m_triangulation));
-    m_frame.expect(m_frame.new_points().size(), m_triangulation);
-    const Dynamic_Delaunay_triangulations_2::internal::At_exit record{
-        [this] { m_frame.record_newcomers(m_triangulation); }};
-    return m_triangulation.insert(m_frame.new_points().begin(), m_frame.new_points().end(),
-                                  std::back_inserter(m_frame.new_ids()));
-  }
-
-  /// adds the points of a range with `begin()` and `end()`.
-  template <class Range, class IdMap = First_of<If_range<Range>>,
-            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
-  Update_report_2 insert(const Range& range, IdMap id_map = IdMap(),
-                         PointMap point_map = PointMap())
-  {
-    return insert(std::begin(range), std::end(range), id_map, point_map);
-  }
-
-  /// removes a point. \throws Unknown_user_id_error_2 if no point has this id.
-  Update_report_2 remove(UserId user_id) { return remove(&user_id, &user_id + 1); }
-
-  /// removes the points with these ids, as `Dynamic_Delaunay_triangulation_2::remove()` does.
-  /// \tparam InputIterator its values are of the type `User_id`.
-  /// \throws Unknown_user_id_error_2 if an id belongs to no point.
-  /// \throws Repeated_id_error_2 if an id is given more than once.
-  template <class InputIterator>
-  Update_report_2 remove(InputIterator first, InputIterator beyond)
-  {
-    std::vector<UserId> user_ids;
-    std::vector<size_type> gone;
-    for (; first != beyond; ++first) {
-      user_ids.push_back(UserId(*first));
-      gone.push_back(id(user_ids.back()));
-    }
-    Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
-    m_frame.expect(0, m_triangulation);
-    const Dynamic_Delaunay_triangulations_2::internal::At_exit record{
-        [&] { m_frame.forget_gone(gone, m_triangulation); }};
-    return m_triangulation.remove(gone.begin(), gone.end());
-  }
-
-  /// removes the points whose ids are in a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Update_report_2 remove(const Range& user_ids)
-  {
-    return remove(std::begin(user_ids), std::end(user_ids));
-  }
-
-  /// moves a point. \throws Unknown_user_id_error_2 if no point has this id.
-  /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 as
-  /// `insert()`.
-  Update_report_2 move(UserId user_id, const Point& p)
-  {
-    const std::pair<UserId, Point> mover(user_id, p);
-    return move(&mover, &mover + 1);
-  }
-
-  /// moves some of the points, as `Dynamic_Delaunay_triangulation_2::move()` does.
-  /// The parameters are those of `update()`.
-  /// \throws Unknown_user_id_error_2 if an id belongs to no point.
-  /// \throws Repeated_id_error_2 if an id is given more than once.
-  /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 if a
-  /// position is not allowed; the `id()` of these errors is the place in the range, counted from 0.
-  template <class InputIterator, class IdMap = First_of<InputIterator>,
-            class PointMap = Second_of<InputIterator>>
-  Update_report_2 move(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
-                       PointMap point_map = PointMap())
-  {
-    std::vector<UserId> user_ids;
-    std::vector<std::pair<size_type, Point>> movers;
-    Frame::read_each(first, beyond, id_map, point_map, Access::position_check(m_triangulation),
-                     [&](UserId user_id, const Point& p) {
-                       movers.emplace_back(id(user_id), p);
-                       user_ids.push_back(user_id);
-                     });
-    Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
-    return m_triangulation.move(movers.begin(), movers.end());
-  }
-
-  /// moves the points of a range with `begin()` and `end()`.
-  template <class Range, class IdMap = First_of<If_range<Range>>,
-            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
-  Update_report_2 move(const Range& range, IdMap id_map = IdMap(), PointMap point_map = PointMap())
-  {
-    return move(std::begin(range), std::end(range), id_map, point_map);
-  }
-
-  /// calls `Dynamic_Delaunay_triangulation_2::mend()`.
-  Update_report_2 mend() { return m_triangulation.mend(); }
-  /// calls `Dynamic_Delaunay_triangulation_2::certify()`.
-  bool certify() { return m_triangulation.certify(); }
-
-  /// @}
-  /// \name Access
-  /// @{
-
-  /// the triangulation. Its ids are not those of the user.
-  const Dynamic& triangulation() const { return m_triangulation; }
-  /// the visitor of the triangulation. An update of the population is one update of the
-  /// triangulation.
-  const auto& visitor() const { return m_triangulation.visitor(); }
-  /// the visitor, in order to read and clear what it has recorded.
-  auto& visitor() { return m_triangulation.visitor(); }
-  /// the number of points.
-  size_type size() const { return m_frame.size(); }
-  /// whether a point has this id.
-  bool has(UserId user_id) const { return m_frame.has(user_id); }
-
-  /// the id of a point in `triangulation()`. It stays the same until the point is removed.
-  /// \throws Unknown_user_id_error_2 if no point has this id.
-  size_type id(UserId user_id) const { return m_frame.id(user_id); }
-
-  /// the user's id of the point `id` of `triangulation()`. \pre that point exists.
-  UserId user_id(size_type id) const { return m_frame.user_id(id); }
   /// the vertex of a point. \throws Unknown_user_id_error_2 if no point has this id.
-  Vertex_handle vertex(UserId user_id) const { return m_triangulation.vertex(id(user_id)); }
-  /// the position of a point. \throws Unknown_user_id_error_2 if no point has this id.
-  decltype(auto) point(UserId user_id) const { return m_triangulation.point(id(user_id)); }
+  Vertex_handle vertex(UserId user_id) const
+  {
+    return this->triangulation().vertex(this->id(user_id));
+  }
   /// the user's id of the point at a finite vertex. If several points share the vertex, this is the
   /// id of their representative, the one that was there first.
-  UserId user_id(Vertex_handle vertex) const { return user_id(m_triangulation.id(vertex)); }
-
-  /// @}
-  /// \name Checkpoints
-  /// @{
-
-  /// writes the triangulation, as its own `write_checkpoint()` does, and the user's ids.
-  /// \throws Checkpoint_error_2 as that function does.
-  void write_checkpoint(std::ostream& out) const
-  {
-    Access::write_checkpoint(m_triangulation, out, Traits::checkpoint_subject,
-                             [this](auto& file) { m_frame.write_file(file, m_triangulation); });
-  }
-
-  /// replaces this population by one from a file, as the triangulation's `read_checkpoint()` does.
-  /// \throws Checkpoint_error_2 if the file is refused, also if a user's id does not fit into
-  /// `User_id`. Whatever is thrown, nothing changes, unless the visitor throws it while it is told
-  /// what changes.
-  void read_checkpoint(std::istream& in)
-  {
-    Frame frame;
-    const auto read_more = [&](auto& file, const auto& ids_read) {
-      frame.read_file(file, ids_read);
-    };
-    const auto exchange_more = [&] { m_frame.take_over(frame); };
-    Access::read_checkpoint(m_triangulation, in, Traits::checkpoint_subject, read_more,
-                            exchange_more);
-  }
-
-  /// writes a checkpoint. Where `write_checkpoint()` would throw `Checkpoint_error_2`, the stream
-  /// fails.
-  friend std::ostream& operator<<(std::ostream& out, const Dynamic_population_2& population)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::write_to_stream(out, population);
-  }
-
-  /// skips white space, then reads a checkpoint. Where `read_checkpoint()` would throw
-  /// `Checkpoint_error_2`, the stream fails, and the population does not change.
-  friend std::istream& operator>>(std::istream& in, Dynamic_population_2& population)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::read_from_stream(in, population);
-  }
-
-  /// @}
-
-private:
-  template <class InputIterator, class IdMap, class PointMap, class... Cell>
-  Update_report_2 update_to(InputIterator first, InputIterator beyond, const IdMap& id_map,
-                            const PointMap& point_map, const Cell&... cell)
-  {
-    Dynamic_Delaunay_triangulations_2::internal::length_within_limit(first, beyond, 0);
-    m_frame.read(first, beyond, id_map, point_map, Access::position_check(m_triangulation, cell...),
-                 m_triangulation);
-    m_frame.expect(m_frame.new_points().size(), m_triangulation);
-    const Dynamic_Delaunay_triangulations_2::internal::At_exit record{[this] {
-      m_frame.forget_gone(m_frame.missing(), m_triangulation);
-      m_frame.record_newcomers(m_triangulation);
-    }};
-    return Access::update_population(m_triangulation, m_frame.positions(), m_frame.missing(),
-                                     m_frame.new_points(), m_frame.new_ids(), cell...);
-  }
-
-  using Frame = Dynamic_Delaunay_triangulations_2::internal::Population_frame<UserId, Point>;
-
-  Dynamic m_triangulation;
-  Frame m_frame;
+  UserId user_id(Vertex_handle vertex) const { return user_id(this->triangulation().id(vertex)); }
 };
 
 } // namespace CGAL

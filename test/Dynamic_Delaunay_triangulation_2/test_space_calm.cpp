@@ -302,7 +302,7 @@ public:
 private:
   static const internal::Safe_cells_3& safe_cells(const Dynamic& dt)
   {
-    return internal::Access_3::state(dt).arrays.safe_cells();
+    return internal::Triangulation_access::state(dt).arrays.safe_cells();
   }
   static void forget(Dynamic& dt) { const_cast<internal::Safe_cells_3&>(safe_cells(dt)).stop(); }
 
@@ -472,8 +472,8 @@ TEST(Calm_frames, reckon_with_the_same_error_after_a_checkpoint)
     points[7] = near;
     dt.update(points);
     other.update(points);
-    EXPECT_EQ(internal::Access_3::state(dt).squared_error,
-              internal::Access_3::state(other).squared_error);
+    EXPECT_EQ(internal::Triangulation_access::state(dt).squared_error,
+              internal::Triangulation_access::state(other).squared_error);
   }
 }
 

@@ -24,8 +24,8 @@ class Broken_vertices_3
   using Dynamic =
       CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel>;
   using Point = Dynamic::Point;
-  using State =
-      std::decay_t<decltype(CGAL::Dynamic_Delaunay_triangulations_3::internal::Access_3::state(
+  using State = std::decay_t<
+      decltype(CGAL::Dynamic_Delaunay_triangulations_3::internal::Triangulation_access::state(
           std::declval<const Dynamic&>()))>;
   using Signs = CGAL::Dynamic_Delaunay_triangulations_3::internal::Cell_signs_3<State>;
   using Cell_index = CGAL::Dynamic_Delaunay_triangulations_3::Cell_index;
@@ -36,7 +36,7 @@ public:
   void find(const Dynamic& dt, const std::vector<Point>& points)
   {
     using namespace CGAL::Dynamic_Delaunay_triangulations_3::internal;
-    m_state = Access_3::state(dt); // with its cells
+    m_state = Triangulation_access::state(dt); // with its cells
     for (Vertex_index v(1); v <= m_state.number_of_vertices(); ++v) {
       const Point& p = points[m_state.ids.representative(v)];
       m_state.positions.set(v, {{p.x(), p.y(), p.z()}, p});

@@ -68,7 +68,7 @@ class Finite_cells_3
 {
 public:
   explicit Finite_cells_3(const Dynamic& dt)
-    : m_state(CGAL::Dynamic_Delaunay_triangulations_3::internal::Access_3::state(dt))
+    : m_state(CGAL::Dynamic_Delaunay_triangulations_3::internal::Triangulation_access::state(dt))
     , m_numbers(m_state.spans_space ? m_state.arrays.number_of_cells() : 0, -1)
   {
     for (Cell_index c(0); c < m_numbers.size(); ++c) {
@@ -105,8 +105,8 @@ public:
   }
 
 private:
-  using State =
-      std::decay_t<decltype(CGAL::Dynamic_Delaunay_triangulations_3::internal::Access_3::state(
+  using State = std::decay_t<
+      decltype(CGAL::Dynamic_Delaunay_triangulations_3::internal::Triangulation_access::state(
           std::declval<Dynamic>()))>;
 
   const State& m_state;

@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Triangulation_access.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Validity_check_2.h>
@@ -95,31 +96,6 @@ struct Chosen_types_2 : Options_check_2<Options...>
 // Stands for any visitor but the default one.
 struct Heard_visitor_2;
 
-// What other headers of the package use of the classes of triangulations, and programs do not.
-struct Triangulation_access_2
-{
-  template <class Dynamic, class... Cell>
-  static auto position_check(const Dynamic& dt, const Cell&... cell)
-  {
-    return dt.position_check(cell...);
-  }
-  template <class Dynamic, class... Frame>
-  static Update_report_2 update_population(Dynamic& dt, Frame&&... frame)
-  {
-    return dt.update_population(std::forward<Frame>(frame)...);
-  }
-  template <class Dynamic, class... Appendix>
-  static void write_checkpoint(const Dynamic& dt, std::ostream& out, const Appendix&... appendix)
-  {
-    dt.write_file(out, appendix...);
-  }
-  template <class Dynamic, class... Appendix>
-  static void read_checkpoint(Dynamic& dt, std::istream& in, const Appendix&... appendix)
-  {
-    dt.read_file(in, appendix...);
-  }
-};
-
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
 
@@ -188,7 +164,7 @@ template <class Derived>
 class Dynamic_triangulation_base_2
 {
   friend Derived;
-  friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access_2;
+  friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access;
   using Types = Dynamic_Delaunay_triangulations_2::internal::Triangulation_types_2<Derived>;
   using State = typename Types::State;
   using Checkpoint = typename Types::Checkpoint;
@@ -235,6 +211,8 @@ public:
   /// by one.
   using Settings = Dynamic_triangulation_settings_2<Delaunay_classifier, Delaunay_repair,
                                                     Delaunay_update_policy, Update_visitor>;
+  /// what a call returns that changes points.
+  using Update_report = Update_report_2;
   /// whether work is shared among threads.
   using Concurrency_tag = typename Types::Concurrency_tag;
   /// the read-only view that classifiers get.
@@ -686,6 +664,11 @@ private:
       m_core->input.forget_previous();
       throw;
     }
+  }
+
+  static void check_number_of_points(size_type number)
+  {
+    Dynamic_Delaunay_triangulations_2::internal::check_limit(number);
   }
 
   Vertex_index vertex_of(size_type id) const

@@ -6,24 +6,14 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/assertions.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Population_frame.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/Dynamic_population_base.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_cell_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
 
-#include <cstddef>
 #include <cstdint>
-#include <istream>
-#include <iterator>
-#include <ostream>
 #include <string_view>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace CGAL {
 
@@ -35,326 +25,22 @@ tracking data. Every frame lists the points that exist, by ids that the user cho
 new ids are inserted, points whose ids are missing are removed, and the others move: what
 `Dynamic_population_2` does in the plane.
 
+Removing a point costs some ten insertions. If memory runs out, there are no cells until the next
+call; `mend()` makes them again.
+
 \tparam Dynamic a `Dynamic_Delaunay_triangulation_3` or a
 `Dynamic_periodic_Delaunay_triangulation_3`. \tparam UserId any integer type.
 */
 template <class Dynamic, class UserId = std::int64_t>
 class Dynamic_population_3
+  : public Dynamic_population_base<Dynamic_population_3<Dynamic, UserId>, Dynamic, UserId>
 {
-  static_assert(std::is_integral_v<UserId>, "the ids of a population are integers");
-  using Access = Dynamic_Delaunay_triangulations_3::internal::Access_3;
-  using Frame =
-      Dynamic_Delaunay_triangulations_2::internal::Population_frame<UserId,
-                                                                    typename Dynamic::Point>;
-  template <class Range>
-  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
-  template <class Iterator>
-  using First_of = Dynamic_Delaunay_triangulations_2::internal::First_of<Iterator>;
-  template <class Iterator>
-  using Second_of = Dynamic_Delaunay_triangulations_2::internal::Second_of<Iterator>;
-
-public:
-  /// \name Types
-  /// @{
-
-  /// the triangulation.
-  using Triangulation = Dynamic;
-  /// an id of the user.
-  using User_id = UserId;
-  /// a point.
-  using Point = typename Dynamic::Point;
-  /// the type of counts, and of the ids in `triangulation()`.
-  using size_type = std::size_t;
-
-  /// @}
-  /// \name Creation
-  /// @{
-
-  /// creates a population without points, in open space.
-  template <class D = Dynamic, class = std::enable_if_t<std::is_default_constructible_v<D>>>
-  Dynamic_population_3()
-    : Dynamic_population_3(Dynamic())
-  {
-  }
-
-  /// creates a population without points. In periodic space the triangulation says which cell.
-  /// \pre `triangulation` has no points.
-  explicit Dynamic_population_3(Dynamic triangulation)
-    : m_triangulation(std::move(triangulation))
-  {
-    CGAL_precondition(m_triangulation.number_of_points() == 0);
-  }
-
-  /// @}
-  /// \name Change
-  /// If one of these functions throws an exception that its documentation names, or if the range
-  /// throws, nothing changes. If memory runs out later, each point is inserted (or removed)
-  /// completely or not at all, each of the others is where it was or where it belongs, and there
-  /// are no cells until the next call; `mend()` makes them again. In periodic space
-  /// `Periodic_range_error_3` takes the place of `Coordinate_range_error_3`.
-  /// @{
-
-  /// takes a whole frame: inserts the points whose ids are new, removes those whose ids are
-  /// missing, and moves the others. The order of the range does not matter.
-  ///
-  /// This is one update, as by `Dynamic_Delaunay_triangulation_3::update()`, with one certificate:
-  /// missing points are removed, then the others move, then new ones are inserted. Cost: that of
-  /// the update, and of looking up the ids, which is almost free for points that follow each other
-  /// as in the last frame; for each removed point that of some ten insertions. Never much more than
-  /// to triangulate all points anew.
-  ///
-  /// \tparam IdMap, PointMap models of `ReadablePropertyMap` from the range's values to `User_id`
-  ///   and to `Point`; by default the values are pairs of both.
-  /// \throws Repeated_id_error_2 if an id is given more than once.
-  /// \throws Non_finite_coordinate_error_3 if a coordinate is NaN or infinite, or
-  ///   Coordinate_range_error_3 if it is too large for this program; the `id()` of these is the
-  ///   place in the range, counted from 0.
-  /// \throws Point_limit_error_2 if there are more points than 32 bits allow: 134,217,727.
-  /// \post `triangulation().is_certified()`
-  template <class InputIterator, class IdMap = First_of<InputIterator>,
-            class PointMap = Second_of<InputIterator>>
-  Update_report_3 update(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
-                         PointMap point_map = PointMap())
-  {
-    return update_to(first, beyond, id_map, point_map);
-  }
-
-  /// takes a whole frame from a range with `begin()` and `end()`.
-  template <class Range, class IdMap = First_of<If_range<Range>>,
-            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
-  Update_report_3 update(const Range& range, IdMap id_map = IdMap(),
-                         PointMap point_map = PointMap())
-  {
-    return update(std::begin(range), std::end(range), id_map, point_map);
-  }
-
-  /// takes a whole frame of a `Dynamic_periodic_Delaunay_triangulation_3`, in a cell that has
-  /// changed. \throws Periodic_cell_error_3 as
-  /// `Dynamic_periodic_Delaunay_triangulation_3::update()`, and what `update(first, beyond)`
-  /// throws.
-  template <class InputIterator, class IdMap, class PointMap>
-  Update_report_3 update(InputIterator first, InputIterator beyond, IdMap id_map,
-                         PointMap point_map, const Periodic_cell_3& cell)
-  {
-    return update_to(first, beyond, id_map, point_map, cell);
-  }
-
-  /// takes a whole frame of pairs of ids and points, in a cell that has changed.
-  template <class InputIterator>
-  Update_report_3 update(InputIterator first, InputIterator beyond, const Periodic_cell_3& cell)
-  {
-    return update_to(first, beyond, First_of<InputIterator>(), Second_of<InputIterator>(), cell);
-  }
-
-  /// takes a whole frame, in a cell that has changed, from a range with `begin()` and `end()`.
-  template <class Range, class IdMap, class PointMap, class = If_range<Range>>
-  Update_report_3 update(const Range& range, IdMap id_map, PointMap point_map,
-                         const Periodic_cell_3& cell)
-  {
-    return update_to(std::begin(range), std::end(range), id_map, point_map, cell);
-  }
-
-  /// takes a whole frame of pairs of ids and points, in a cell that has changed, from a range.
-  template <class Range, class = If_range<Range>>
-  Update_report_3 update(const Range& range, const Periodic_cell_3& cell)
-  {
-    return update(std::begin(range), std::end(range), cell);
-  }
-
-  /// adds a point. \throws Repeated_id_error_2 if a point has this id already.
-  /// \throws Non_finite_coordinate_error_3, Coordinate_range_error_3 if `p` is not allowed; their
-  /// `id()` is 0. \throws Point_limit_error_2 as `update()`.
-  Update_report_3 insert(UserId user_id, const Point& p)
-  {
-    const std::pair<UserId, Point> newcomer(user_id, p);
-    return insert(&newcomer, &newcomer + 1);
-  }
-
-  /// adds the points of a range, as `Dynamic_Delaunay_triangulation_3::insert()` does.
-  /// The parameters are those of `update()`.
-  /// \throws Repeated_id_error_2 if a point has one of these ids already, or if an id is given more
-  /// than once. \throws Non_finite_coordinate_error_3, Coordinate_range_error_3 or
-  /// Point_limit_error_2 as `update()`.
-  template <class InputIterator, class IdMap = First_of<InputIterator>,
-            class PointMap = Second_of<InputIterator>>
-  Update_report_3 insert(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
-                         PointMap point_map = PointMap())
-  {
-    m_frame.read_newcomers(first, beyond, id_map, point_map,
-                           Access::position_check(m_triangulation));
-    m_frame.expect(m_frame.new_points().size(), m_triangulation);
-    const Dynamic_Delaunay_triangulations_2::internal::At_exit record{
-        [this] { m_frame.record_newcomers(m_triangulation); }};
-    return Access::insert_into_population(m_triangulation, m_frame.new_points(), m_frame.new_ids());
-  }
-
-  /// adds the points of a range with `begin()` and `end()`.
-  template <class Range, class IdMap = First_of<If_range<Range>>,
-            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
-  Update_report_3 insert(const Range& range, IdMap id_map = IdMap(),
-                         PointMap point_map = PointMap())
-  {
-    return insert(std::begin(range), std::end(range), id_map, point_map);
-  }
-
-  /// removes a point. \throws Unknown_user_id_error_2 if no point has this id.
-  Update_report_3 remove(UserId user_id) { return remove(&user_id, &user_id + 1); }
-
-  /// removes the points with these ids, as `Dynamic_Delaunay_triangulation_3::remove()` does.
-  /// \tparam InputIterator its values are of the type `User_id`.
-  /// \throws Unknown_user_id_error_2 if an id belongs to no point.
-  /// \throws Repeated_id_error_2 if an id is given more than once.
-  template <class InputIterator>
-  Update_report_3 remove(InputIterator first, InputIterator beyond)
-  {
-    std::vector<UserId> user_ids;
-    std::vector<size_type> gone;
-    for (; first != beyond; ++first) {
-      user_ids.push_back(UserId(*first));
-      gone.push_back(id(user_ids.back()));
-    }
-    Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
-    m_frame.expect(0, m_triangulation);
-    const Dynamic_Delaunay_triangulations_2::internal::At_exit record{
-        [&] { m_frame.forget_gone(gone, m_triangulation); }};
-    return m_triangulation.remove(gone.begin(), gone.end());
-  }
-
-  /// removes the points whose ids are in a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Update_report_3 remove(const Range& user_ids)
-  {
-    return remove(std::begin(user_ids), std::end(user_ids));
-  }
-
-  /// moves a point. \throws Unknown_user_id_error_2 if no point has this id.
-  /// \throws Non_finite_coordinate_error_3, Coordinate_range_error_3 as `insert()`.
-  Update_report_3 move(UserId user_id, const Point& p)
-  {
-    const std::pair<UserId, Point> mover(user_id, p);
-    return move(&mover, &mover + 1);
-  }
-
-  /// moves some of the points, as `Dynamic_Delaunay_triangulation_3::move()` does.
-  /// The parameters are those of `update()`.
-  /// \throws Unknown_user_id_error_2 if an id belongs to no point.
-  /// \throws Repeated_id_error_2 if an id is given more than once.
-  /// \throws Non_finite_coordinate_error_3, Coordinate_range_error_3 if a position is not allowed;
-  /// the `id()` of these errors is the place in the range, counted from 0.
-  template <class InputIterator, class IdMap = First_of<InputIterator>,
-            class PointMap = Second_of<InputIterator>>
-  Update_report_3 move(InputIterator first, InputIterator beyond, IdMap id_map = IdMap(),
-                       PointMap point_map = PointMap())
-  {
-    std::vector<UserId> user_ids;
-    std::vector<std::pair<size_type, Point>> movers;
-    Frame::read_each(first, beyond, id_map, point_map, Access::position_check(m_triangulation),
-                     [&](UserId user_id, const Point& p) {
-                       movers.emplace_back(id(user_id), p);
-                       user_ids.push_back(user_id);
-                     });
-    Dynamic_Delaunay_triangulations_2::internal::check_distinct(user_ids);
-    return m_triangulation.move(movers.begin(), movers.end());
-  }
-
-  /// moves the points of a range with `begin()` and `end()`.
-  template <class Range, class IdMap = First_of<If_range<Range>>,
-            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
-  Update_report_3 move(const Range& range, IdMap id_map = IdMap(), PointMap point_map = PointMap())
-  {
-    return move(std::begin(range), std::end(range), id_map, point_map);
-  }
-
-  /// calls `Dynamic_Delaunay_triangulation_3::mend()`.
-  Update_report_3 mend() { return m_triangulation.mend(); }
-  /// calls `Dynamic_Delaunay_triangulation_3::certify()`.
-  bool certify() { return m_triangulation.certify(); }
-
-  /// @}
-  /// \name Access
-  /// @{
-
-  /// the triangulation. Its ids are not those of the user.
-  const Dynamic& triangulation() const { return m_triangulation; }
-  /// the visitor of the triangulation. An update of the population is one update of the
-  /// triangulation.
-  const auto& visitor() const { return m_triangulation.visitor(); }
-  /// the visitor, in order to read and clear what it has recorded.
-  auto& visitor() { return m_triangulation.visitor(); }
-  /// the number of points.
-  size_type size() const { return m_frame.size(); }
-  /// whether a point has this id.
-  bool has(UserId user_id) const { return m_frame.has(user_id); }
-  /// the id of a point in `triangulation()`. It stays the same until the point is removed.
-  /// \throws Unknown_user_id_error_2 if no point has this id.
-  size_type id(UserId user_id) const { return m_frame.id(user_id); }
-  /// the user's id of the point `id` of `triangulation()`. \pre that point exists.
-  UserId user_id(size_type id) const { return m_frame.user_id(id); }
-  /// the position of a point. \throws Unknown_user_id_error_2 if no point has this id.
-  Point point(UserId user_id) const { return m_triangulation.point(id(user_id)); }
-
-  /// @}
-  /// \name Checkpoints
-  /// @{
-
-  /// writes the triangulation, as its own `write_checkpoint()` does, and the user's ids.
-  /// \throws Checkpoint_error_2 as that function does.
-  void write_checkpoint(std::ostream& out) const
-  {
-    Access::write_checkpoint(m_triangulation, out, checkpoint_subject,
-                             [this](auto& file) { m_frame.write_file(file, m_triangulation); });
-  }
-
-  /// replaces this population by one from a file, as the triangulation's `read_checkpoint()` does.
-  /// \throws Checkpoint_error_2 if the file is refused, also if a user's id does not fit into
-  /// `User_id`. Whatever is thrown, nothing changes.
-  void read_checkpoint(std::istream& in)
-  {
-    Frame frame;
-    const auto read_more = [&](auto& file, const auto& ids_read) {
-      frame.read_file(file, ids_read);
-    };
-    const auto exchange_more = [&] { m_frame.take_over(frame); };
-    Access::read_checkpoint(m_triangulation, in, checkpoint_subject, read_more, exchange_more);
-  }
-
-  /// writes a checkpoint. Where `write_checkpoint()` would throw `Checkpoint_error_2`, the stream
-  /// fails.
-  friend std::ostream& operator<<(std::ostream& out, const Dynamic_population_3& population)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::write_to_stream(out, population);
-  }
-
-  /// skips white space, then reads a checkpoint. Where `read_checkpoint()` would throw
-  /// `Checkpoint_error_2`, the stream fails, and the population does not change.
-  friend std::istream& operator>>(std::istream& in, Dynamic_population_3& population)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::read_from_stream(in, population);
-  }
-
-  /// @}
-
-private:
+  using Base = Dynamic_population_base<Dynamic_population_3, Dynamic, UserId>;
+  friend Base;
   static constexpr std::string_view checkpoint_subject = "Dynamic_population_3";
 
-  // Takes a frame, in another cell if there is one more argument.
-  template <class InputIterator, class IdMap, class PointMap, class... Cell>
-  Update_report_3 update_to(InputIterator first, InputIterator beyond, const IdMap& id_map,
-                            const PointMap& point_map, const Cell&... cell)
-  {
-    m_frame.read(first, beyond, id_map, point_map, Access::position_check(m_triangulation, cell...),
-                 m_triangulation);
-    m_frame.expect(m_frame.new_points().size(), m_triangulation);
-    const Dynamic_Delaunay_triangulations_2::internal::At_exit record{[this] {
-      m_frame.forget_gone(m_frame.missing(), m_triangulation);
-      m_frame.record_newcomers(m_triangulation);
-    }};
-    return Access::update_population(m_triangulation, m_frame.positions(), m_frame.missing(),
-                                     m_frame.new_points(), m_frame.new_ids());
-  }
-
-  Dynamic m_triangulation;
-  Frame m_frame;
+public:
+  using Base::Base;
 };
 
 } // namespace CGAL

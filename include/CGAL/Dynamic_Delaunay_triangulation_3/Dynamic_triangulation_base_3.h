@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Triangulation_access.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_options_2.h>
@@ -42,45 +43,7 @@ namespace CGAL {
 
 namespace Dynamic_Delaunay_triangulations_3::internal {
 
-// What other headers of the package use of the class, and programs do not.
-struct Access_3
-{
-  template <class Dynamic>
-  static const auto& state(const Dynamic& dt)
-  {
-    return dt.state();
-  }
-
-  // Checks positions of a frame, or of points that come, by their places in a range.
-  template <class Dynamic, class... Cell>
-  static auto position_check(Dynamic& dt, const Cell&... cell)
-  {
-    return dt.position_check(cell...);
-  }
-
-  // What happens to a population. `position_check()` has to be called before, with the cell of the
-  // frame if it changes.
-  template <class Dynamic, class... Frame>
-  static auto update_population(Dynamic& dt, Frame&&... frame)
-  {
-    return dt.update_population(std::forward<Frame>(frame)...);
-  }
-  template <class Dynamic, class... Newcomers>
-  static auto insert_into_population(Dynamic& dt, Newcomers&&... newcomers)
-  {
-    return dt.insert_into_population(std::forward<Newcomers>(newcomers)...);
-  }
-  template <class Dynamic, class... Appendix>
-  static void write_checkpoint(const Dynamic& dt, std::ostream& out, const Appendix&... appendix)
-  {
-    dt.write_file(out, appendix...);
-  }
-  template <class Dynamic, class... Appendix>
-  static void read_checkpoint(Dynamic& dt, std::istream& in, const Appendix&... appendix)
-  {
-    dt.read_file(in, appendix...);
-  }
-};
+using Dynamic_Delaunay_triangulations_2::internal::Triangulation_access;
 
 // The types that options choose.
 template <class... Options>
@@ -112,7 +75,7 @@ checkpoints. Programs use it as a part of these classes alone.
 template <class Dynamic, class Space, class... Options>
 class Dynamic_triangulation_base_3
 {
-  friend Dynamic_Delaunay_triangulations_3::internal::Access_3;
+  friend Dynamic_Delaunay_triangulations_3::internal::Triangulation_access;
   using Chosen = Dynamic_Delaunay_triangulations_3::internal::Chosen_types_3<Options...>;
   static_assert(Chosen::is_right);
   using Visitor = typename Chosen::Visitor;
@@ -151,6 +114,8 @@ public:
   using Point = typename State::Point;
   /// the type of ids and counts.
   using size_type = std::size_t;
+  /// what a call returns that changes points.
+  using Update_report = Update_report_3;
   /// whether work is shared among threads.
   using Concurrency_tag = typename Chosen::Concurrency_tag;
   /// the policy and the visitor, in one object. A policy converts to it.
@@ -251,7 +216,7 @@ public:
     return id;
   }
 
-  /// inserts the points of a range, and writes their ids, in the same order, to `ids`.
+  /// inserts the points of a range. Their ids are written to `ids` first, in the same order.
   /// \throws Non_finite_coordinate_error_3, Coordinate_range_error_3, Periodic_range_error_3 as
   ///   above; the error's id is the one that the point would get. Then nothing has changed.
   /// \throws Point_limit_error_2 if there would be more points than 32 bits allow.
@@ -270,10 +235,9 @@ public:
     const Floating_point floating_point;
     Change change;
     Input::read_newcomers(first, beyond, point_map, m_core->state, change);
-    const Update_report_3 report = run(change);
     for (const Point_id id : change.coming)
       *ids++ = size_type(id);
-    return report;
+    return run(change);
   }
 
   /// inserts the points of a range with `begin()` and `end()`.
@@ -591,6 +555,8 @@ private:
     visitor.after_update(dynamic(), report);
   }
 
+  static void check_number_of_points(size_type number) { Input::check_number(number); }
+
   template <class... Cell>
   auto position_check(const Cell&... cell)
   {
@@ -600,34 +566,23 @@ private:
     };
   }
 
-  // A frame of a population: removes the points `gone`, moves the others to the positions by their
-  // ids, and inserts points. All positions are checked. The ids of new points are written to
-  // `coming_ids`, ascending, unless an exception ends this before all removals are done.
+  // A frame of a population, in another cell if there is one more argument: removes the points
+  // `gone`, moves the others to the positions by their ids, and inserts points. All positions are
+  // checked. The ids of new points are written to `coming_ids`, ascending, unless an exception ends
+  // this before all removals are done.
+  template <class... Cell>
   Update_report_3 update_population(const std::vector<Point>& positions,
                                     const std::vector<size_type>& gone,
                                     const std::vector<Point>& coming,
-                                    std::vector<size_type>& coming_ids)
+                                    std::vector<size_type>& coming_ids, const Cell&... cell)
   {
+    const Floating_point floating_point;
+    m_core->kernel.staged().set_cell(state(), cell...);
     Change change;
     change.is_frame = true;
     change.positions = &positions;
     for (const size_type id : gone)
       change.gone.emplace_back(id);
-    return change_population(change, coming, coming_ids);
-  }
-
-  // Only inserts points.
-  Update_report_3 insert_into_population(const std::vector<Point>& coming,
-                                         std::vector<size_type>& coming_ids)
-  {
-    Change change;
-    return change_population(change, coming, coming_ids);
-  }
-
-  Update_report_3 change_population(Change& change, const std::vector<Point>& coming,
-                                    std::vector<size_type>& coming_ids)
-  {
-    const Floating_point floating_point;
     Input::check_number(number_of_points() - change.gone.size() + coming.size());
     change.coming = ids().next_ids(coming.size(), change.gone);
     change.coming_points = coming;

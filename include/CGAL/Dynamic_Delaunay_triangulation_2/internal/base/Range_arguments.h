@@ -11,6 +11,7 @@
 #include <boost/property_map/property_map.hpp>
 
 #include <iterator>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -22,6 +23,11 @@ using If_range = decltype(std::begin(std::declval<const Range&>()));
 // A valid type if Map is a property map.
 template <class Map>
 using If_map = typename boost::property_traits<Map>::key_type;
+
+template <class Iterator>
+constexpr bool is_random_access =
+    std::is_convertible_v<typename std::iterator_traits<Iterator>::iterator_category,
+                          std::random_access_iterator_tag>;
 
 // Maps that read the parts of the pairs to which an iterator points.
 template <class Iterator>

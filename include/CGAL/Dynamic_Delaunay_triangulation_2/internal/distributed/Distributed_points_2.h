@@ -239,7 +239,7 @@ public:
         read_part(message, gone, coming);
     std::vector<std::size_t> places;
     const Update_report_2 report =
-        Triangulation_access_2::update_population(m_dt, m_points, gone, points_of(coming), places);
+        Triangulation_access::update_population(m_dt, m_points, gone, points_of(coming), places);
     note_ghosts(coming, places);
     return report;
   }

@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
@@ -72,11 +73,6 @@ constexpr bool is_in_memory = std::is_pointer_v<Iterator> ||
 // iterators over bool: std::vector<bool> has no values to point to
 template <class Iterator>
 constexpr bool is_in_memory<Iterator, bool> = false;
-
-template <class Iterator>
-constexpr bool is_random_access =
-    std::is_convertible_v<typename std::iterator_traits<Iterator>::iterator_category,
-                          std::random_access_iterator_tag>;
 
 // Throws if a triangulation cannot hold so many points.
 inline void check_limit(std::size_t number)

@@ -16,7 +16,8 @@
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 template <class Dynamic>
-using State_of_3 = std::decay_t<decltype(Access_3::state(std::declval<const Dynamic&>()))>;
+using State_of_3 =
+    std::decay_t<decltype(Triangulation_access::state(std::declval<const Dynamic&>()))>;
 
 template <class Dynamic>
 constexpr bool is_periodic_3 = Site_charts_3<typename State_of_3<Dynamic>::Arrays>::is_periodic;
@@ -28,7 +29,7 @@ const State_of_3<Dynamic>& certified_state(const Dynamic& dt)
   if (!dt.is_certified())
     throw Uncertified_triangulation_error_2(
         "there are no cells, since an exception has ended the last call: call mend()");
-  return Access_3::state(dt);
+  return Triangulation_access::state(dt);
 }
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
 
 #include <boost/property_map/property_map.hpp>
@@ -13,7 +14,6 @@
 #include <atomic>
 #include <cstddef>
 #include <iterator>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
@@ -50,8 +50,7 @@ public:
   static void stage(InputIterator first, InputIterator beyond, const PointMap& point_map,
                     const State& state, Staged& staged)
   {
-    using Category = typename std::iterator_traits<InputIterator>::iterator_category;
-    if constexpr (std::is_convertible_v<Category, std::random_access_iterator_tag>) {
+    if constexpr (Dynamic_Delaunay_triangulations_2::internal::is_random_access<InputIterator>) {
       stage_in_any_order(first, beyond, point_map, state, staged);
     } else {
       std::vector<Point> points;
