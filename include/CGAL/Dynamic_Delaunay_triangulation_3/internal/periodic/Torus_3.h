@@ -182,6 +182,15 @@ public:
                      product(m_inverse_of_cell[2], p)});
   }
 
+  // True only if none of a vector's fractions is larger than a quarter. A fraction is a product
+  // with a row of an inverse, the longest of which has a length of at most max_multiple / (2
+  // m_near).
+  bool is_short(const Position_3& v) const
+  {
+    const double bound = 0.28 / max_multiple * m_near; // 1 / (2 sqrt(3))
+    return std::abs(v.x) < bound && std::abs(v.y) < bound && std::abs(v.z) < bound;
+  }
+
   // What so many of the basis are of the cell's vectors.
   Periodic_shift_3 in_vectors_of_cell(const Multiples_3& m) const
   {

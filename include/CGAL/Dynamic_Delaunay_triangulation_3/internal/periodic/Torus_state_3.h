@@ -72,6 +72,16 @@ public:
     m_positions[v] = place.position;
     m_bases[v] = {place.base, place.multiples};
   }
+  // Moves a vertex to where another base is, with the multiples that `last` has for it.
+  void set(Vertex_index v, const Position_3& base, const Torus_positions_3& last,
+           const Torus_3& torus)
+  {
+    const Multiples_3& m = last.m_bases[v].multiples;
+    m_positions[v] = (m[0] | m[1] | m[2]) == 0 ? base : base + torus.combination(m);
+    m_bases[v].base = base;
+    for (int i = 0; i < 3; ++i)
+      m_bases[v].multiples[i] = m[i];
+  }
   // At least one. Nowhere is the infinite vertex, so floating point proves nothing of it.
   void resize(Index number)
   {
@@ -100,22 +110,29 @@ private:
 // What the error of rounded images depends on.
 struct Torus_measures_3
 {
+  // Each coordinate by itself: one maximum of all would wait for the one before, six times a place.
   void include(const Position_3& base, const Position_3& position, const Multiples_3& multiples)
   {
-    for (const Position_3* p : {&base, &position})
-      for (const double x : {p->x, p->y, p->z})
-        largest = (std::max)(largest, std::abs(x));
+    const auto largest_of = [](double x, double y, double z) {
+      return (std::max)((std::max)(std::abs(x), std::abs(y)), z);
+    };
+    extent = {largest_of(base.x, position.x, extent.x), largest_of(base.y, position.y, extent.y),
+              largest_of(base.z, position.z, extent.z)};
     sum = (std::max)(sum, double(std::abs(multiples[0])) + std::abs(multiples[1]) +
                               std::abs(multiples[2]));
   }
   Torus_measures_3 with(const Torus_measures_3& other) const
   {
-    return {(std::max)(largest, other.largest), (std::max)(sum, other.sum),
+    return {{(std::max)(extent.x, other.extent.x), (std::max)(extent.y, other.extent.y),
+             (std::max)(extent.z, other.extent.z)},
+            (std::max)(sum, other.sum),
             has_strayed || other.has_strayed};
   }
+  double largest() const { return (std::max)({extent.x, extent.y, extent.z}); }
 
-  double largest = 0, sum = 0; // a coordinate; absolute values of the multiples of a vertex
-  bool has_strayed = false;    // whether a vertex is far out of the basis' parallelepiped
+  Position_3 extent{0, 0, 0}; // of all coordinates' absolute values
+  double sum = 0;             // of absolute values of the multiples of a vertex
+  bool has_strayed = false;   // whether a vertex is far out of the basis' parallelepiped
 };
 
 // The positions and the cell of a frame, before they count; from the exchange on, those of the last
@@ -161,6 +178,10 @@ public:
     const Position_3 base = approximation(p);
     if (!accepts(state, p))
       return false;
+    if (!m_torus && state.torus.is_short(base - state.positions.base(v))) {
+      positions.set(v, base, state.positions, state.torus);
+      return true;
+    }
     const Torus_3& torus = m_torus ? *m_torus : state.torus;
     const Position_3 position = state.positions.position(v);
     const Position_3 from = m_torus ? torus.carried(position, state.torus) : position;
@@ -335,16 +356,16 @@ public:
   }
   void include_all()
   {
-    m_present = measures(positions);
+    m_present = measures(positions, true);
     use_reach(m_present);
   }
   // A vertex that is held is carried by others' ways: at most twice as far as all go.
   // That depends on both frames alone, as after a checkpoint.
   bool begin_frame(const Position_3&, const Positions& previous)
   {
-    m_present = measures(positions);
-    Torus_measures_3 reach = measures(previous).with(m_present);
-    reach.largest *= 4;
+    m_present = measures(positions, true);
+    Torus_measures_3 reach = measures(previous, false).with(m_present);
+    reach.extent = 4 * reach.extent;
     use_reach(reach);
     return true;
   }
@@ -365,14 +386,14 @@ public:
     include_all();
   }
   // How far points and vertices go, for filters: a coordinate, and a sum of multiples.
-  std::array<double, 2> reach() const { return {m_reach.largest, m_reach.sum}; }
+  std::array<double, 2> reach() const { return {m_reach.largest(), m_reach.sum}; }
   // False if that is too little for the points.
   bool set_reach(const std::array<double, 2>& reach)
   {
     include_all();
-    if (!(m_present.largest <= reach[0] && m_present.sum <= reach[1]))
+    if (!(m_present.largest() <= reach[0] && m_present.sum <= reach[1]))
       return false;
-    use_reach({reach[0], reach[1]});
+    use_reach({{reach[0], reach[0], reach[0]}, reach[1]});
     return true;
   }
   // Whether a vertex is so far out of the basis' parallelepiped that it is wrapped.
@@ -413,17 +434,18 @@ private:
   void use_reach(const Torus_measures_3& reach)
   {
     m_reach = reach;
-    squared_error = torus.squared_error(reach.largest, reach.sum);
+    squared_error = torus.squared_error(reach.largest(), reach.sum);
   }
 
-  Torus_measures_3 measures(const Positions& places) const
+  Torus_measures_3 measures(const Positions& places, bool looks_for_strayed) const
   {
     std::array<Torus_measures_3, Parts::max_parts> found;
     Parts::for_each(places.number() - 1, [&](std::size_t part, std::size_t first, std::size_t end) {
       Torus_measures_3 measures;
       for (Vertex_index v(first + 1); v <= end; ++v) {
         measures.include(places.base(v), places.position(v), places.multiples(v));
-        measures.has_strayed = measures.has_strayed || is_far(places.position(v));
+        if (looks_for_strayed)
+          measures.has_strayed |= is_far(places.position(v));
       }
       found[part] = measures;
     });
