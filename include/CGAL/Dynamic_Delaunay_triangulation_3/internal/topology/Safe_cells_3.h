@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -60,13 +61,17 @@ public:
   {
     const Number* const until = m_until.data();
     const Number bound = Number(std::ceil(m_travel));
-    cells.resize(beyond - first);
-    std::size_t number = 0;
-    for (std::size_t c = first; c < beyond; ++c) { // without branches, which would be mispredicted
-      cells[number] = Cell_index(c);
-      number += until[c] <= bound;
+    cells.clear();
+    std::array<Cell_index, 1024> some; // that stay in the first cache
+    for (std::size_t begin = first; begin < beyond; begin += some.size()) {
+      const std::size_t end = (std::min)(begin + some.size(), beyond);
+      std::size_t number = 0;
+      for (std::size_t c = begin; c < end; ++c) { // without branches, which would be mispredicted
+        some[number] = Cell_index(c);
+        number += until[c] <= bound;
+      }
+      cells.insert(cells.end(), some.begin(), some.begin() + std::ptrdiff_t(number));
     }
-    cells.resize(number);
   }
 
   void set_slack(Cell_index c, double slack)
