@@ -5,19 +5,16 @@
 
 from __future__ import annotations
 
-import copy
 from typing import Any, NamedTuple, Optional, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import as_floats, as_integer, as_list, as_rows, given, number_of_processors
-from ._changes import ChangedEdges, ChangedEdgesByIds, ChangedEdgeShifts, checked_changes
-from ._checkpoints import Checkpoints
+from ._arguments import as_floats, given, number_of_processors
+from ._changes import ChangedEdgeShifts
 from ._core import Group, UpdateReport3D
-from ._places import Places
-from ._rows import Rows
+from ._points_in_space import ByIds3D, ByNumbers3D, PointsInSpace, checked_settings
 from .errors import PeriodicCellError
 from .neighbors import NeighborList
 
@@ -88,11 +85,8 @@ def _vectors(cell: ArrayLike) -> list[list[float]]:
     return vectors
 
 
-class _InPeriodicSpace(ChangedEdgeShifts, Checkpoints, Places, Rows, _core.PeriodicTriangulation3D):
+class _InPeriodicSpace(ChangedEdgeShifts, PointsInSpace, _core.PeriodicTriangulation3D):
     """What triangulations in periodic space have in common."""
-
-    _settings: dict[str, Any]
-    _coordinates = 3
 
     def __new__(cls: type[Self], *_arguments: Any, **_named: Any) -> Self:
         self = super().__new__(cls)
@@ -100,10 +94,12 @@ class _InPeriodicSpace(ChangedEdgeShifts, Checkpoints, Places, Rows, _core.Perio
         return self
 
     def _init(self, cell: ArrayLike, settings: dict[str, Any]) -> None:
-        threads = as_integer("threads", settings["threads"], 2**31)
-        settings = dict(threads=threads, changes=checked_changes(settings["changes"]))
-        self._start(threads or number_of_processors(), settings["changes"], self._has_user_ids, _vectors(cell))
+        settings = checked_settings(settings)
+        self._start(settings["threads"] or number_of_processors(), settings["changes"], self._has_user_ids, _vectors(cell))
         self._settings = settings
+
+    def _init_empty(self, settings: dict[str, Any]) -> None:
+        self._init((1.0, 1.0, 1.0), settings)
 
     @property
     def cell(self) -> NDArray[np.float64]:
@@ -163,35 +159,7 @@ class _InPeriodicSpace(ChangedEdgeShifts, Checkpoints, Places, Rows, _core.Perio
         first = np.repeat(np.arange(len(counts), dtype=np.int32), counts)
         return NeighborList(first, cells.neighbors, cells.vectors, cells.facet_areas, counts)
 
-    def __copy__(self: Self) -> Self:
-        twin = self._twin()
-        vars(twin).update(vars(self))
-        return twin
-
-    def __deepcopy__(self: Self, memo: dict[int, Any]) -> Self:
-        twin = memo[id(self)] = self._twin()
-        vars(twin).update(copy.deepcopy(vars(self), memo))
-        return twin
-
-    def _twin(self: Self) -> Self:
-        twin = type(self).__new__(type(self))
-        twin._start_as_copy(self)
-        return twin
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        checkpoint = self.checkpoint()  # UseError if there are no settings, as __init__() was not called
-        others = {name: value for name, value in vars(self).items() if name != "_settings"}
-        return _restored, (type(self), self._settings, checkpoint), others or None
-
-
-def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> Self:
-    triangulation = kind.__new__(kind)
-    triangulation._init((1.0, 1.0, 1.0), settings)  # the checkpoint has another cell
-    triangulation.restore(checkpoint)
-    return triangulation
-
-
-class PeriodicDelaunay3D(ChangedEdges, _InPeriodicSpace):
+class PeriodicDelaunay3D(ByNumbers3D, _InPeriodicSpace):
     """The Delaunay triangulation of moving points in a periodic cell in space, which ``PeriodicDelaunay(points, cell)``
     makes of points (n, 3), or of a cell in space. The cell may change with every frame; only one that is a slab stays
     one.
@@ -235,20 +203,8 @@ class PeriodicDelaunay3D(ChangedEdges, _InPeriodicSpace):
         removed ids are ignored."""
         return self._update(points, None, None if cell is None else _vectors(cell))
 
-    def insert(self, points: ArrayLike) -> NDArray[np.int64]:
-        """Add points, float (m, 3), or one, (3,); return their ids, int64 (m,)."""
-        return self._insert(as_rows(points, 3), None)
 
-    def remove(self, ids: ArrayLike) -> UpdateReport3D:
-        """Remove points by their ids, int (m,), or one."""
-        return self._remove(as_list(ids))
-
-    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport3D:
-        """Move some points, int (m,), or one, to positions, float (m, 3) or (3,). All others stay."""
-        return self._move(as_list(ids), as_rows(points, 3))
-
-
-class PeriodicPopulation3D(ChangedEdgesByIds, _InPeriodicSpace):
+class PeriodicPopulation3D(ByIds3D, _InPeriodicSpace):
     """Points in a periodic cell in space that come and go, by any integers of 64 bits as ids, which
     ``PeriodicPopulation(ids, points, cell)`` makes of points (n, 3), or of a cell in space.
 
@@ -258,8 +214,6 @@ class PeriodicPopulation3D(ChangedEdgesByIds, _InPeriodicSpace):
     Parameters are the ids, int (n,), the points, float (n, 3), and those of PeriodicDelaunay3D. With ``changes=True``
     each call also looks up all ids.
     """
-
-    _has_user_ids = True
 
     def __init__(
         self,
@@ -279,15 +233,3 @@ class PeriodicPopulation3D(ChangedEdgesByIds, _InPeriodicSpace):
         has changed: remove points whose ids are missing, move the others, and insert those with new ids. Nothing
         changes if an id is there twice."""
         return self._update(points, ids, None if cell is None else _vectors(cell))
-
-    def insert(self, ids: ArrayLike, points: ArrayLike) -> None:
-        """Add points, float (m, 3), or one, (3,), by new ids, int (m,), or one."""
-        self._insert(as_rows(points, 3), as_list(ids))
-
-    def remove(self, ids: ArrayLike) -> UpdateReport3D:
-        """Remove points by their ids, int (m,), or one."""
-        return self._remove(as_list(ids))
-
-    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport3D:
-        """Move some points, int (m,), or one, to positions, float (m, 3) or (3,). All others stay."""
-        return self._move(as_list(ids), as_rows(points, 3))

@@ -5,19 +5,16 @@
 
 from __future__ import annotations
 
-import copy
 from typing import Any, NamedTuple, Optional, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._arguments import as_integer, as_list, as_rows, given, number_of_processors
-from ._changes import ChangedEdges, ChangedEdgesByIds, checked_changes
-from ._checkpoints import Checkpoints
+from ._arguments import given, number_of_processors
 from ._core import Group, UpdateReport3D
-from ._places import Places
-from ._rows import Rows, ScipyNames
+from ._points_in_space import ByIds3D, ByNumbers3D, PointsInSpace, checked_settings
+from ._rows import ScipyNames
 from .errors import InputValueError
 
 Self = TypeVar("Self", bound="_InSpace")
@@ -64,11 +61,8 @@ def _sides(box: ArrayLike) -> list[float]:
     return [float(side) for side in sides]
 
 
-class _InSpace(ScipyNames, Checkpoints, Places, Rows, _core.Triangulation3D):
+class _InSpace(ScipyNames, PointsInSpace, _core.Triangulation3D):
     """What triangulations in space have in common."""
-
-    _settings: dict[str, Any]
-    _coordinates = 3
 
     def __new__(cls: type[Self], *_arguments: Any, **_named: Any) -> Self:
         self = super().__new__(cls)
@@ -76,10 +70,12 @@ class _InSpace(ScipyNames, Checkpoints, Places, Rows, _core.Triangulation3D):
         return self
 
     def _init(self, settings: dict[str, Any]) -> None:
-        threads = as_integer("threads", settings["threads"], 2**31)
-        settings = dict(threads=threads, changes=checked_changes(settings["changes"]))
-        self._start(threads or number_of_processors(), settings["changes"], self._has_user_ids)
+        settings = checked_settings(settings)
+        self._start(settings["threads"] or number_of_processors(), settings["changes"], self._has_user_ids)
         self._settings = settings
+
+    def _init_empty(self, settings: dict[str, Any]) -> None:
+        self._init(settings)
 
     @property
     def points(self) -> NDArray[np.float64]:
@@ -122,35 +118,7 @@ class _InSpace(ScipyNames, Checkpoints, Places, Rows, _core.Triangulation3D):
         empty, or longer than 1e100."""
         return VoronoiCells3D(*self._voronoi_cells(None if box is None else _sides(box)))
 
-    def __copy__(self: Self) -> Self:
-        twin = self._twin()
-        vars(twin).update(vars(self))
-        return twin
-
-    def __deepcopy__(self: Self, memo: dict[int, Any]) -> Self:
-        twin = memo[id(self)] = self._twin()
-        vars(twin).update(copy.deepcopy(vars(self), memo))
-        return twin
-
-    def _twin(self: Self) -> Self:
-        twin = type(self).__new__(type(self))
-        twin._start_as_copy(self)
-        return twin
-
-    def __reduce__(self) -> tuple[Any, ...]:
-        checkpoint = self.checkpoint()  # UseError if there are no settings, as __init__() was not called
-        others = {name: value for name, value in vars(self).items() if name != "_settings"}
-        return _restored, (type(self), self._settings, checkpoint), others or None
-
-
-def _restored(kind: type[Self], settings: dict[str, Any], checkpoint: bytes) -> Self:
-    triangulation = kind.__new__(kind)
-    triangulation._init(settings)
-    triangulation.restore(checkpoint)
-    return triangulation
-
-
-class DynamicDelaunay3D(ChangedEdges, _InSpace):
+class DynamicDelaunay3D(ByNumbers3D, _InSpace):
     """The Delaunay triangulation of moving points in space, which ``DynamicDelaunay(points)`` makes of points (n, 3).
 
     Points have the ids 0, 1, 2, ... in the order in which they are given, and keep them; the id of a removed point is
@@ -180,20 +148,8 @@ class DynamicDelaunay3D(ChangedEdges, _InSpace):
         ids are ignored. Cost: a pass over the simplices, never much more than to triangulate all points anew."""
         return self._update(points, None)
 
-    def insert(self, points: ArrayLike) -> NDArray[np.int64]:
-        """Add points, float (m, 3), or one, (3,); return their ids, int64 (m,)."""
-        return self._insert(as_rows(points, 3), None)
 
-    def remove(self, ids: ArrayLike) -> UpdateReport3D:
-        """Remove points by their ids, int (m,), or one."""
-        return self._remove(as_list(ids))
-
-    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport3D:
-        """Move some points, int (m,), or one, to positions, float (m, 3) or (3,). All others stay."""
-        return self._move(as_list(ids), as_rows(points, 3))
-
-
-class Population3D(ChangedEdgesByIds, _InSpace):
+class Population3D(ByIds3D, _InSpace):
     """The Delaunay triangulation of points in space that come and go, by any integers of 64 bits as ids, which
     ``Population(ids, points)`` makes of points (n, 3).
 
@@ -203,8 +159,6 @@ class Population3D(ChangedEdgesByIds, _InSpace):
     Parameters are the ids, int (n,), the points, float (n, 3), and those of DynamicDelaunay3D. With ``changes=True``
     each call also looks up all ids.
     """
-
-    _has_user_ids = True
 
     def __init__(
         self,
@@ -222,15 +176,3 @@ class Population3D(ChangedEdgesByIds, _InSpace):
         """Take a whole frame, ids int (n,) and positions float (n, 3) in any order: insert points with new ids, remove
         those whose ids are missing, and move the others. Nothing changes if an id is there twice."""
         return self._update(points, ids)
-
-    def insert(self, ids: ArrayLike, points: ArrayLike) -> None:
-        """Add points, float (m, 3), or one, (3,), by new ids, int (m,), or one."""
-        self._insert(as_rows(points, 3), as_list(ids))
-
-    def remove(self, ids: ArrayLike) -> UpdateReport3D:
-        """Remove points by their ids, int (m,), or one."""
-        return self._remove(as_list(ids))
-
-    def move(self, ids: ArrayLike, points: ArrayLike) -> UpdateReport3D:
-        """Move some points, int (m,), or one, to positions, float (m, 3) or (3,). All others stay."""
-        return self._move(as_list(ids), as_rows(points, 3))
