@@ -195,24 +195,23 @@ private:
   template <class Parts>
   void divide(const Topology_parts_2& topology, std::vector<Edge_index>& edges)
   {
-    constexpr std::size_t least = (std::max)(Parts::usual_size / 8, std::size_t(1));
-    constexpr std::uint8_t none = 255;
+    constexpr std::size_t none = 255;
     static_assert(Topology_parts_2::max_number < none);
     clear_parts(topology.number());
-    m_part_of_seed.resize(edges.size());
-    Parts::for_each(edges.size(), least, [&](std::size_t, std::size_t i, std::size_t beyond) {
-      for (; i < beyond; ++i) {
-        topology.prefetch_some(edges, i);
-        const std::size_t part = topology.part_of(edges[i]);
-        m_part_of_seed[i] = topology.is_inside(part, edges[i]) ? std::uint8_t(part) : none;
-      }
-    });
     std::size_t kept = 0;
-    for (std::size_t i = 0; i < edges.size(); ++i)
-      if (m_part_of_seed[i] != none)
-        m_parts[m_part_of_seed[i]].seeds.push_back(edges[i]);
-      else
-        edges[kept++] = edges[i];
+    for_each_with_part<Parts>(
+        edges.size(), m_part_of_seed,
+        [&](std::size_t i) {
+          topology.prefetch_some(edges, i);
+          const std::size_t part = topology.part_of(edges[i]);
+          return topology.is_inside(part, edges[i]) ? part : none;
+        },
+        [&](std::size_t i, std::size_t part) {
+          if (part != none)
+            m_parts[part].seeds.push_back(edges[i]);
+          else
+            edges[kept++] = edges[i];
+        });
     edges.resize(kept);
   }
 

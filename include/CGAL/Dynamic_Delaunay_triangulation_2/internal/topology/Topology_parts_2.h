@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -117,6 +118,22 @@ private:
   const std::size_t m_number;
   const std::size_t m_vertices; // of a part
 };
+
+// Calls f(i, part_of(i)) for each i below `number`, in this order; threads find the parts before.
+// `numbers` is memory for these.
+template <class Parts, class Part_of, class Function>
+void for_each_with_part(std::size_t number, std::vector<std::uint8_t>& numbers,
+                        const Part_of& part_of, const Function& f)
+{
+  constexpr std::size_t least = (std::max)(Parts::usual_size / 8, std::size_t(1));
+  numbers.resize(number);
+  Parts::for_each(number, least, [&](std::size_t, std::size_t first, std::size_t beyond) {
+    for (std::size_t i = first; i < beyond; ++i)
+      numbers[i] = std::uint8_t(part_of(i));
+  });
+  for (std::size_t i = 0; i < number; ++i)
+    f(i, std::size_t(numbers[i]));
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 

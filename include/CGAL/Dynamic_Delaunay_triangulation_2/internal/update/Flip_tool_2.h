@@ -73,9 +73,7 @@ public:
     m_edges.clear();
     for (const std::vector<Edge_index>* edges :
          {&std::as_const(m_context.proof).uncertain(), &changed})
-      for (const Edge_index e : *edges)
-        if (m_state.is_at_infinity(e))
-          m_edges.push_back(e);
+      append_at_infinity(*edges, m_edges);
     if (!m_edges.empty())
       run(m_edges, false);
     return m_edges.empty() && m_context.proof.hull_turns_once(m_state);
@@ -124,6 +122,23 @@ public:
   {
     constexpr std::size_t few = 8;
     m_context.budget.spend(flips > few ? (flips - few) * Cost_model_2::flip : 0);
+  }
+
+  // Threads share the edges: reading them from here and there takes a few nanoseconds each.
+  void append_at_infinity(const std::vector<Edge_index>& edges,
+                          std::vector<Edge_index>& at_infinity) const
+  {
+    using Parts = typename State::Parts;
+    constexpr std::size_t least = (std::max)(Parts::usual_size / 8, std::size_t(1)), ahead = 16;
+    append_by_parts<Parts>(edges.size(), least, at_infinity,
+                           [&](std::size_t i, std::size_t beyond, std::vector<Edge_index>& some) {
+                             for (; i < beyond; ++i) {
+                               if (i + ahead < edges.size())
+                                 m_state.arrays().prefetch_edge(edges[i + ahead]);
+                               if (m_state.is_at_infinity(edges[i]))
+                                 some.push_back(edges[i]);
+                             }
+                           });
   }
 
   std::size_t most_flips() const { return m_context.budget.left() / Cost_model_2::flip + 1; }
