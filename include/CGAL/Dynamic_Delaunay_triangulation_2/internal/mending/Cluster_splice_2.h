@@ -20,7 +20,13 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-enum class Splice_result_2 { DONE, TOO_LARGE, TOO_DEAR, COINCIDENCE };
+enum class Splice_result_2 {
+  DONE,
+  KEPT, // the old faces, as no others were found that fit
+  TOO_LARGE,
+  TOO_DEAR,
+  COINCIDENCE
+};
 
 // What splices may do (in), and what they have done (out).
 struct Splice_limits_2
@@ -57,7 +63,8 @@ std::size_t collect_region(const State& state, const std::vector<Vertex_index>& 
   return inner;
 }
 
-// Makes the new faces around a cluster of connected vertices. Writes nothing.
+// Triangulates a cluster of connected vertices and its border alone, and puts the new faces around
+// the cluster in place of the old ones.
 //
 // A splice is correct only if the old and the new faces have the same boundary, edge for edge (an
 // open problem of the thesis: an edge could get lost). Where the boundaries differ, their vertices
@@ -89,10 +96,9 @@ public:
         if (belongs(w))
           m_cluster.insert(w);
       });
-    m_first_size = m_cluster.size();
   }
 
-  // Triangulates the cluster and its border. Enlarges it until the new faces fit, within `limits`.
+  // Makes new faces, and writes nothing. Enlarges the cluster until they fit, within `limits`.
   Splice_result_2 make(Splice_limits_2& limits)
   {
     constexpr std::size_t gentle_enlargements = 3;
@@ -107,26 +113,32 @@ public:
       if (!triangulate())
         return Splice_result_2::COINCIDENCE;
       collect_new_faces();
-      m_fits = boundaries_agree() && !doubles_an_edge();
-      if (m_fits || enlargements == limits.max_enlargements)
+      if (boundaries_agree() && !doubles_an_edge())
         return Splice_result_2::DONE;
+      if (enlargements == limits.max_enlargements)
+        return Splice_result_2::KEPT;
       grow(enlargements >= gentle_enlargements);
       ++limits.enlargements;
     }
   }
 
+  // Replaces the old faces by the new ones, if these fit. Lists their boundary edges: all others of
+  // them are Delaunay.
+  void put_in(Topology_editor_2<State>& editor, std::vector<Edge_index>& boundary_edges)
+  {
+    m_outside.clear();
+    for (const Boundary_edge_2& edge : m_old_boundary) {
+      m_outside.push_back(m_state.arrays().twin(edge.halfedge));
+      boundary_edges.push_back(m_state.arrays().edge_of(edge.halfedge));
+    }
+    editor.replace(m_old_faces, m_new, m_outside);
+  }
+
   // From half of all points on, a fresh triangulation of all points costs less.
   bool is_too_large(std::size_t region) const { return 2 * region > m_state.number_of_vertices(); }
 
-  // Whether the new faces can replace the old ones.
-  bool fits() const { return m_fits; }
   const Index_set<Vertex_index>& cluster() const { return m_cluster; }
-  // How many vertices the cluster had before it was enlarged; these come first in `cluster()`.
-  std::size_t first_size() const { return m_first_size; }
   const Index_set<Vertex_index>& border() const { return m_border; }
-  const Index_set<Face_index>& old_faces() const { return m_old_faces; }
-  const std::vector<Boundary_edge_2>& old_boundary() const { return m_old_boundary; } // sorted
-  const Patch_2& new_faces() const { return m_new; }
   // The vertices that were triangulated last. If a coincidence was found, two of them coincide.
   const std::vector<Vertex_index>& region() const { return m_region; }
 
@@ -287,10 +299,9 @@ private:
   Static_triangulator_2<State> m_triangulator;
   Index_set<Vertex_index> m_cluster, m_border;
   Index_set<Face_index> m_old_faces;
-  std::size_t m_first_size = 0;
-  bool m_fits = false;
   bool m_has_infinite_faces = false;           // among the old faces
   std::vector<Boundary_edge_2> m_old_boundary; // sorted by source, then target
+  std::vector<Halfedge_index> m_outside;       // beyond that boundary
   std::vector<Vertex_index> m_region;
   Column<Face_index, Face_index> m_new_number; // of each face of the triangulator
   Patch_2 m_new;

@@ -215,19 +215,6 @@ public:
       m_editing.after_face(f);
   }
 
-  // Prefetch what replace() will write: first these faces and, some time later, their edges.
-  void prefetch(const std::vector<Face_index>& faces) const
-  {
-    for (const Face_index f : faces)
-      m_arrays.prefetch_face(Halfedge_arrays_2::halfedge_in(f, 0));
-  }
-  void prefetch_edges(const std::vector<Face_index>& faces) const
-  {
-    for (const Face_index f : faces)
-      for (const Halfedge_index h : Halfedge_arrays_2::halfedges_of(f))
-        m_arrays.prefetch_edge(m_arrays.edge_of(h));
-  }
-
   // OUT OF FACES AND INTO FACES -------------------------------------------------------------------
   // To take a vertex out, the faces around it are replaced by those of a triangulated polygon. To
   // put one in, a face is split, or those in a polygon are replaced. This works for any positions.

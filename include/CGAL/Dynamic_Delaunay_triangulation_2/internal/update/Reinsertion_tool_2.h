@@ -7,7 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Padded_region_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Cluster_splice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Flip_tool_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_context_2.h>
@@ -33,7 +33,6 @@ public:
     : m_context(context)
     , m_state(context.state)
     , m_flips(flips)
-    , m_region(context.state)
   {
   }
 
@@ -46,13 +45,16 @@ public:
     if (m_context.has_rebuilt())
       return;
     m_context.proof.open_illegal();
-    m_region.run(m_context.classification.vertices(), padding);
-    m_context.padded = m_region.padded();
-    m_context.border = m_region.border();
+    const auto classified = std::ptrdiff_t(
+        collect_region(m_state, m_context.classification.vertices(), padding, m_region));
+    const auto inner = std::ptrdiff_t(m_region.size());
+    for (const Vertex_index v : m_region)
+      m_context.proof.open_around(m_state, v);
+    add_layer(m_state, m_region);
+    m_context.padded.assign(m_region.begin() + classified, m_region.begin() + inner);
+    m_context.border.assign(m_region.begin() + inner, m_region.end());
     m_context.report().padded += m_context.padded.size();
     m_context.report().border += m_context.border.size();
-    for (const Vertex_index v : m_region.inner())
-      m_context.proof.open_around(m_state, v);
     make_distinct(m_context.proof.uncertain());
     m_flips.flip();
     if (!m_context.is_done())
@@ -64,10 +66,7 @@ public:
   void splice_open(unsigned padding)
   {
     m_context.proof.open_illegal();
-    std::vector<Vertex_index> vertices;
-    m_context.proof.for_each_uncertain_vertex(m_state,
-                                              [&](Vertex_index v) { vertices.push_back(v); });
-    put_in_anew(vertices, padding);
+    put_in_anew(m_context.proof.uncertain_vertices(m_state), padding);
   }
 
   void relocate() { put_in_anew(m_context.classification.vertices(), 0); }
@@ -77,22 +76,21 @@ private:
   {
     if (m_context.has_rebuilt())
       return;
-    m_region.run(vertices, padding);
-    const std::vector<Vertex_index> region = m_region.inner();
+    collect_region(m_state, vertices, padding, m_region);
     if (!m_context.proof.is_required()) {
       m_context.proof.require();
       m_context.proof.take_unproved(m_state);
       m_flips.flip();
     }
-    if (m_context.has_rebuilt() || region.empty())
+    if (m_context.has_rebuilt() || m_region.empty())
       return;
     // a sixth of a small torus: more are as much work as triangulating anew
     const std::size_t most = 10 + m_state.number_of_vertices() / 6;
-    if (!m_context.can_spare(region.size()) ||
-        m_context.relocation.number_waiting() + region.size() > most)
+    if (!m_context.can_spare(m_region.size()) ||
+        m_context.relocation.number_waiting() + m_region.size() > most)
       return m_context.rebuild(Rebuild_reason_2::TOO_MUCH_BROKEN);
-    m_context.budget.allow(region.size() * Cost_model_2::relocation);
-    if (take_out(region))
+    m_context.budget.allow(m_region.size() * Cost_model_2::relocation);
+    if (take_out(m_region.members()))
       m_flips.flip();
   }
 
@@ -135,7 +133,7 @@ private:
   Context& m_context;
   const State& m_state;
   Flip_tool_2<State>& m_flips;
-  Padded_region_2<State> m_region;
+  Index_set<Vertex_index> m_region; // classified vertices, then their padding, then the border
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

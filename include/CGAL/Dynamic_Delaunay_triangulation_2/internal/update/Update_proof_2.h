@@ -195,16 +195,18 @@ public:
     keep_unproved(state, m_uncertain);
   }
 
-  // Calls f(v) for the finite vertices of uncertain edges, for some more than once.
-  template <class State, class Function>
-  void for_each_uncertain_vertex(const State& state, const Function& f) const
+  // The finite vertices of uncertain edges, some more than once.
+  template <class State>
+  std::vector<Vertex_index> uncertain_vertices(const State& state) const
   {
+    std::vector<Vertex_index> vertices;
     for (const Edge_index e : m_uncertain) {
       const Edge_2 edge = state.edge(e);
       for (const Vertex_index v : {edge.source, edge.target, edge.left, edge.right})
         if (v != infinite_index)
-          f(v);
+          vertices.push_back(v);
     }
+    return vertices;
   }
 
 private:
