@@ -8,7 +8,6 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Hull_flips_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Hull_turn_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
@@ -42,7 +41,6 @@ public:
   Held_vertices_2(const State& state, Editor& editor)
     : m_state(state)
     , m_editor(editor)
-    , m_hull_turn(state)
     , m_hull_flips(state, editor)
   {
   }
@@ -53,7 +51,7 @@ public:
   // What to do at the hull, or at the sides of a slab.
   enum class At_hull {
     PEEL, // flip faces away that their apex has left through an edge of the hull
-    HOLD  // flip nothing, and hold vertices so that the hull turns as it did at rest
+    HOLD  // flip nothing, and hold vertices that go past others along the hull
   };
 
   // Makes all finite faces counterclockwise; only faces at these edges may be inverted. Holds about
@@ -66,12 +64,10 @@ public:
     collect_inverted(edges);
     if (at_hull == At_hull::PEEL)
       peel();
-    if (m_is_hull_held) {
-      m_hull_turn.find_middle();
+    if (m_is_hull_held)
       m_state.arrays().for_each_corner(infinite_index, [&](Halfedge_index h) {
         add_if_inverted(Arrays::face_of(h), m_inverted);
       });
-    }
     const Topology_parts_2 topology(m_state);
     const bool has_parts = topology.are_worth<Parts>(2 * m_inverted.size());
     const std::size_t in_parts = has_parts ? hold_in_parts(topology, most) : 0;
@@ -287,7 +283,7 @@ private:
   bool is_right(Face_index f) const
   {
     if (m_state.is_infinite_face(f))
-      return !m_is_hull_held || m_hull_turn.is_as_at_rest(f);
+      return !m_is_hull_held || !m_hull_flips.is_folded(f);
     const auto [h, i, k] = Arrays::halfedges_of(f);
     constexpr typename State::Chart chart{};
     const typename State::Predicates predicates(m_state);
@@ -557,7 +553,7 @@ private:
   bool is_to_be_taken_out(const Held& held) const
   {
     if constexpr (State::has_hull)
-      return held.goes_far || m_hull_flips.is_on_hull(held.vertex);
+      return held.goes_far || m_state.arrays().are_neighbors(held.vertex, infinite_index);
     else
       return held.goes_far && !may_flip_into_gap(held.vertex);
   }
@@ -607,7 +603,6 @@ private:
 
   const State& m_state;
   Editor& m_editor;
-  Hull_turn_2<State> m_hull_turn;
   Hull_flips_2<State> m_hull_flips;
   bool m_is_hull_held = false;
   std::vector<Held> m_held;

@@ -17,7 +17,8 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// Which edges of the hull, or of the sides of a slab, can be flipped to let a vertex out.
+// Which edges of the hull, or of the sides of a slab, can be flipped to let a vertex out, and where
+// the hull may fold.
 template <class State>
 class Hull_flips_2
 {
@@ -29,6 +30,25 @@ public:
     : m_state(state)
     , m_editor(editor)
   {
+  }
+
+  // Whether the hull may fold at the edge of an infinite face: whether this edge has turned by a
+  // right angle or more since it was at rest, so that one end has moved past the other one. Plain
+  // floating point decides, because a walk around the hull with exact signs follows.
+  //
+  // If it is so at no edge, and all finite faces are counterclockwise, the hull turns around once.
+  //   - Not more often: at rest it turned at each vertex by an angle from 0 to below pi. Now it is
+  //     that angle plus the turn of one edge minus that of the other, which is less than 2 pi, plus
+  //     a multiple of 2 pi that makes it at most pi, and so is not positive. Without these
+  //     multiples all angles together are 2 pi, as at rest.
+  //   - Not less often: around each inner vertex the angles of faces are at least 2 pi together.
+  //     The others, of the pi of each face, by Euler's formula leave at least one turn to the hull.
+  bool is_folded(Face_index f) const
+  {
+    for (const Halfedge_index h : Arrays::halfedges_of(f))
+      if (m_state.arrays().apex(h) == infinite_index)
+        return !keeps_direction(h);
+    return false;
   }
 
   // A half-edge of an inverted face on the hull whose apex has left through its edge, so that a
@@ -66,15 +86,14 @@ public:
     m_state.arrays().for_each_side(e, [&](Edge_index side) { edges.push_back(side); });
   }
 
-  bool is_on_hull(Vertex_index v) const
+private:
+  bool keeps_direction(Halfedge_index h) const
   {
-    bool is = false;
-    m_state.arrays().for_each_corner(
-        v, [&](Halfedge_index h) { is = is || m_state.is_infinite_face(Arrays::face_of(h)); });
-    return is;
+    const Vertex_index v = m_state.arrays().source(h), w = m_state.arrays().target(h);
+    return dot(m_state.positions()[w] - m_state.positions()[v],
+               m_state.rest_position(w) - m_state.rest_position(v)) > 0;
   }
 
-private:
   bool has_left_through(Halfedge_index h) const
   {
     const auto& arrays = m_state.arrays();
@@ -100,16 +119,15 @@ private:
            predicates.orientation(d, c, a) == LEFT_TURN && m_editor.can_flip(h);
   }
 
-  // Whether the apex of h projects onto the edge of h, and the edge has not turned around. If not,
-  // one end of the edge has moved past the other: flipping the edge would let the hull turn twice.
+  // Whether the apex of h projects onto the edge of h, and flipping the edge does not let the hull
+  // turn twice.
   bool is_over(Halfedge_index h) const
   {
     const auto& arrays = m_state.arrays();
-    const Vertex_index v = arrays.source(h), w = arrays.target(h);
-    const Position_2 a = m_state.positions()[arrays.apex(h)], b = m_state.positions()[v],
-                     c = m_state.positions()[w];
-    return dot(c - b, m_state.rest_position(w) - m_state.rest_position(v)) > 0 &&
-           dot(c - b, a - b) > 0 && dot(b - c, a - c) > 0;
+    const Position_2 a = m_state.positions()[arrays.apex(h)],
+                     b = m_state.positions()[arrays.source(h)],
+                     c = m_state.positions()[arrays.target(h)];
+    return keeps_direction(h) && dot(c - b, a - b) > 0 && dot(b - c, a - c) > 0;
   }
 
   const State& m_state;

@@ -361,10 +361,8 @@ private:
   bool is_any_on_hull(const std::vector<Point_id>& ids) const
   {
     const auto is_on_hull = [&](Point_id id) {
-      bool sees_infinity = false;
-      m_state.arrays().for_each_neighbor(
-          m_state.ids().vertex(id), [&](Vertex_index w) { sees_infinity |= w == infinite_index; });
-      return sees_infinity;
+      return State::has_hull &&
+             m_state.arrays().are_neighbors(m_state.ids().vertex(id), infinite_index);
     };
     return std::any_of(ids.begin(), ids.end(), is_on_hull);
   }
