@@ -178,12 +178,8 @@ public:
   template <class Function>
   void for_each_edge_that_sees(Vertex_index v, Function&& f) const
   {
-    const auto& arrays = m_state->arrays();
-    if (!arrays.is_outside(v))
-      arrays.for_each_corner(v, [&](Halfedge_index h) {
-        f(arrays.edge_of(h));
-        f(arrays.edge_of(arrays.previous(h)));
-      });
+    if (!m_state->arrays().is_outside(v))
+      m_state->arrays().for_each_edge_that_sees(v, f);
   }
 
   /// how often the cell of periodic space has changed; 0 in the plane. What was proved for

@@ -167,18 +167,6 @@ public:
       vertices.push_back(held.vertex);
   }
 
-  // Calls take_out(v) for each vertex v that is still held, and lists those for which it returns
-  // false. Then puts all of them at their targets, whatever that does to faces.
-  template <class Take_out>
-  void take_out_rest(const Take_out& take_out, std::vector<Vertex_index>& left)
-  {
-    left.clear();
-    for (const Held& held : m_held)
-      if (!take_out(held.vertex))
-        left.push_back(held.vertex);
-    let_go();
-  }
-
   // Puts all held vertices at their targets, whatever that does to faces.
   void let_go()
   {
@@ -250,32 +238,12 @@ private:
     arrays.prefetch_face_beyond(edges[i + near_ahead]);
   }
 
-  // Before every eighth held vertex of a list, the i-th of which is m_held[held_at(i)], fetches
-  // what the next eight have around them, but none from `beyond` on. Walks around all of them in
-  // step, so that each step waits for memory once.
+  // Of held vertices, the i-th of which is m_held[held_at(i)].
   template <class Held_at>
   void prefetch_stars(std::size_t first, std::size_t beyond, const Held_at& held_at) const
   {
-    constexpr std::size_t stretch = 8, usual_degree = 6;
-    if (first % stretch != 0)
-      return;
-    const auto& arrays = m_state.arrays();
-    const Position_2* const positions = m_state.positions().data();
-    std::array<Halfedge_index, stretch> corners;
-    const std::size_t number = (std::min)(stretch, beyond - first);
-    for (std::size_t i = 0; i < number; ++i) {
-      corners[i] = arrays.corner(m_held[held_at(first + i)].vertex);
-      arrays.prefetch_face(corners[i]);
-    }
-    for (std::size_t step = 0; step < usual_degree; ++step)
-      for (std::size_t i = 0; i < number; ++i) {
-        const Halfedge_index h = corners[i];
-        prefetch(positions + arrays.apex(Arrays::next(h)));
-        arrays.prefetch_edge(arrays.edge_of(h));
-        arrays.prefetch_edge(arrays.edge_of(Arrays::previous(h)));
-        corners[i] = arrays.next_corner(h);
-        arrays.prefetch_face(corners[i]);
-      }
+    internal::prefetch_stars(m_state, first, beyond,
+                             [&](std::size_t i) { return m_held[held_at(i)].vertex; });
   }
 
   // FACES ---------------------------------------------------------------------------------------
@@ -328,11 +296,7 @@ private:
 
   void append_edges_that_see(Vertex_index v, std::vector<Edge_index>& edges) const
   {
-    const auto& arrays = m_state.arrays();
-    arrays.for_each_corner(v, [&](Halfedge_index h) {
-      edges.push_back(arrays.edge_of(h));
-      edges.push_back(arrays.edge_of(Arrays::previous(h)));
-    });
+    m_state.arrays().for_each_edge_that_sees(v, [&](Edge_index e) { edges.push_back(e); });
   }
 
   // Flips edges of the hull through which the vertex opposite to them has left. All other faces

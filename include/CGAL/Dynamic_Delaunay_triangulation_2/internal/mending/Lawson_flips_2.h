@@ -102,10 +102,7 @@ public:
                          std::vector<Edge_index>& open, std::size_t most)
   {
     open.clear();
-    state.arrays().for_each_corner(v, [&](Halfedge_index h) {
-      open.push_back(state.arrays().edge_of(h));
-      open.push_back(state.arrays().edge_of(Halfedge_arrays_2::previous(h)));
-    });
+    state.arrays().for_each_edge_that_sees(v, [&](Edge_index e) { open.push_back(e); });
     return run(state, editor, open, false, most);
   }
 

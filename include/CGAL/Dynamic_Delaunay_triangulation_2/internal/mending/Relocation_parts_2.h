@@ -52,29 +52,6 @@ public:
            vertices > parts * (Parts::usual_size / 1024);
   }
 
-  // Fetches the stars of the next vertices that go, the i-th from `first` on, once for a stretch of
-  // them: together, step by step around each.
-  template <class Vertex_at>
-  void fetch_stars(std::size_t first, std::size_t size, const Vertex_at& vertex) const
-  {
-    constexpr std::size_t stretch = 8, usual_degree = 6;
-    if (first % stretch != 0)
-      return;
-    const auto& arrays = m_state.arrays();
-    std::array<Halfedge_index, stretch> corners;
-    const std::size_t number = (std::min)(stretch, size - first);
-    for (std::size_t i = 0; i < number; ++i) {
-      corners[i] = arrays.corner(vertex(first + i));
-      arrays.prefetch_face(corners[i]);
-    }
-    for (std::size_t step = 0; step < usual_degree; ++step)
-      for (std::size_t i = 0; i < number; ++i) {
-        prefetch(&m_state.positions()[arrays.source(corners[i])]);
-        corners[i] = arrays.next_corner(corners[i]);
-        arrays.prefetch_face(corners[i]);
-      }
-  }
-
   // Takes vertices out, and keeps in the list those that are left: take_out(edit, polygon) does it
   // for one. Appends to `taken`, which must have the memory.
   template <class Take_out>
@@ -188,7 +165,7 @@ private:
           Part& mine = m_parts[part];
           mine.taken.reserve(mine.places.size());
           for (std::size_t i = 0; i < mine.places.size(); ++i) {
-            fetch_ahead(list, mine.places, i);
+            prefetch_ahead(list, mine.places, i);
             if (!work(parts, part, edit, list[mine.places[i]]))
               mine.left.push_back(mine.places[i]);
           }
@@ -202,12 +179,13 @@ private:
     }
   }
 
-  void fetch_ahead(const std::vector<Vertex_index>& vertices, const std::vector<Index>& places,
-                   std::size_t first) const
+  void prefetch_ahead(const std::vector<Vertex_index>& vertices, const std::vector<Index>& places,
+                      std::size_t first) const
   {
-    fetch_stars(first, places.size(), [&](std::size_t i) { return vertices[places[i]]; });
+    prefetch_stars(m_state, first, places.size(),
+                   [&](std::size_t i) { return vertices[places[i]]; });
   }
-  static void fetch_ahead(const std::vector<Index>&, const std::vector<Index>&, std::size_t) {}
+  static void prefetch_ahead(const std::vector<Index>&, const std::vector<Index>&, std::size_t) {}
 
   void divide(const Spatial_parts& parts)
   {

@@ -40,6 +40,7 @@ class Vertex_relocation_2
   using Slot = typename Editor::Slot;
   using Point = typename State::Point;
   using Location = Location_2<State>;
+  using Polygon = Star_polygon_2<State>;
 
 public:
   Vertex_relocation_2(State& state, Editor& editor)
@@ -102,29 +103,14 @@ public:
     return can_go;
   }
 
-  // Takes v out so that everything else stays Delaunay. False, with nothing done, if it is not
-  // known how. Everything has to be Delaunay before, except that v may have moved.
-  bool take_out_of_delaunay(Vertex_index v)
+  // Takes the vertices of a list out so that everything else stays Delaunay. Keeps in the list
+  // those for which it is not known how. Everything has to be Delaunay before, except that these
+  // vertices may have moved.
+  void take_out_of_delaunay(std::vector<Vertex_index>& vertices)
   {
-    reserve_for_slots(1);
-    const bool is_known = triangulate_as_delaunay_without(v);
-    if (is_known)
-      m_waiting.push_back(m_editor.take_out(m_polygon));
-    return is_known;
-  }
-
-  // Does so with the vertices of a list, by parts, if they are many. Returns how many it has taken
-  // out; the others, which it keeps in the list, may be known, too.
-  std::size_t take_out_of_delaunay(std::vector<Vertex_index>& vertices)
-  {
-    const std::size_t number = vertices.size();
-    if (!m_parts.are_worth(number))
-      return 0;
-    reserve_for_slots(number);
-    m_parts.take_out(vertices, m_waiting, [](auto& edit, const Star_polygon_2<State>& polygon) {
-      return edit.take_out(polygon);
+    take_out_of_delaunay(vertices, m_waiting, [](auto& editor, const Polygon& polygon) {
+      return editor.take_out(polygon);
     });
-    return number - vertices.size();
   }
 
   // Removes the points with these ids. A representative leaves its vertex to a covered point, if
@@ -140,23 +126,15 @@ public:
     for (const Point_id id : ids)
       if (m_state.ids().is_taken(id))
         remove(id, moved);
-    if (are_delaunay)
-      remove_of_delaunay();
+    if (are_delaunay) {
+      make_distinct(m_rest); // those that are close in space are then close in time, too
+      take_out_of_delaunay(m_rest, m_empty, [](auto& editor, const Polygon& polygon) {
+        return editor.remove(polygon);
+      });
+    }
     const auto is_outside = [this](Vertex_index v) { return m_state.arrays().is_outside(v); };
     moved.erase(std::remove_if(moved.begin(), moved.end(), is_outside), moved.end());
     return moved;
-  }
-
-  // Removes the points with these ids that have a vertex of their own, so that everything stays
-  // Delaunay, as it must be. Keeps for remove_rest() the vertices for which it is not known how.
-  void remove_of_delaunay(const std::vector<Point_id>& ids)
-  {
-    m_editor.reserve_for_removals(ids.size());
-    m_rest.clear();
-    for (const Point_id id : ids)
-      if (m_state.ids().is_alone(id))
-        m_rest.push_back(m_state.ids().vertex(id));
-    remove_of_delaunay();
   }
 
   // Removes the remaining vertices of the last `remove()`. False if one of them cannot go, see
@@ -220,20 +198,17 @@ public:
                 const Legalize& legalize)
   {
     Counts counts;
-    collect_positions(parted);
-    provide_slots(parted);
+    m_ids = parted;
+    m_ids.insert(m_ids.end(), m_coming_ids.begin(), m_coming_ids.end());
+    sort_positions();
+    provide_slots();
     if (most_faces() > 0 && m_parts.are_worth(m_numbers.size()))
-      put_in_by_parts(parted.size(), counts);
+      put_in_by_parts(counts);
     Hint hint{any_vertex(), m_state.number_of_vertices()};
     bool goes_on = true;
     for (std::size_t k = 0; k < m_numbers.size() && goes_on; ++k) {
-      const std::size_t i = m_numbers[k];
-      const std::size_t most = most_faces();
-      m_replaced = 0;
-      const Vertex_index v = i < m_waiting.size()
-                                 ? put_in_again(m_slots[i], hint, most, counts)
-                                 : insert(parted, i - m_waiting.size(), hint, most, counts);
-      if (v == null_index)
+      const Vertex_index v = m_slots[m_numbers[k]].vertex;
+      if (!put_in(m_numbers[k], hint, most_faces(), counts))
         continue;
       if (k + 1 < m_numbers.size())
         hint = hint_at(v); // flips may join v with vertices that are far away
@@ -290,11 +265,27 @@ private:
     m_editor.keep_memory_for(2 * max_slots);
   }
 
-  bool triangulate_as_delaunay_without(Vertex_index v)
+  // Does take_out(editor, polygon) for the vertices of a list, if that is known to leave everything
+  // Delaunay, and lists their slots, by parts, if they are many. Keeps the others in the list.
+  template <class Take_out>
+  void take_out_of_delaunay(std::vector<Vertex_index>& vertices, std::vector<Slot>& taken,
+                            const Take_out& take_out)
   {
-    const bool can_go = m_polygon.read(m_state, v);
-    m_editor.prefetch(m_polygon);
-    return can_go && m_polygon.triangulate_as_delaunay(m_state);
+    reserve_for_slots(vertices.size());
+    if (m_parts.are_worth(vertices.size()))
+      m_parts.take_out(vertices, taken, take_out);
+    std::size_t left = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const Vertex_index v = vertices[i];
+      prefetch_stars(m_state, i, vertices.size(), [&](std::size_t k) { return vertices[k]; });
+      const bool can_go = m_polygon.read(m_state, v);
+      m_editor.prefetch(m_polygon);
+      if (can_go && m_polygon.triangulate_as_delaunay(m_state))
+        taken.push_back(take_out(m_editor, m_polygon));
+      else
+        vertices[left++] = v;
+    }
+    vertices.resize(left);
   }
 
   // Triangulates the polygon around v; the faces have v at `position`.
@@ -323,48 +314,33 @@ private:
     m_editor.remove_covered(id);
   }
 
-  // Removes the listed vertices for which that is known to leave everything Delaunay: by parts, if
-  // they are many, in the order of their numbers, so that those that are close in space are close
-  // in time.
-  void remove_of_delaunay()
+  // THE POSITIONS TO PUT IN -----------------------------------------------------------------------
+  // First those of waiting vertices, then those of points that have parted, then those of new
+  // points.
+
+  bool waits(Index i) const { return i < m_waiting.size(); }
+  bool parts(Index i) const { return !waits(i) && i - m_waiting.size() < number_parted(); }
+  std::size_t number_parted() const { return m_ids.size() - m_coming_ids.size(); }
+  // The id and the point, unless a vertex waits.
+  Point_id id_at(Index i) const { return m_ids[i - m_waiting.size()]; }
+  const Point& point_at(Index i) const
   {
-    make_distinct(m_rest);
-    reserve_for_slots(m_rest.size());
-    if (m_parts.are_worth(m_rest.size())) {
-      m_parts.take_out(m_rest, m_empty, [](auto& edit, const Star_polygon_2<State>& polygon) {
-        return edit.remove(polygon);
-      });
-    }
-    std::size_t left = 0;
-    for (std::size_t i = 0; i < m_rest.size(); ++i) {
-      const Vertex_index v = m_rest[i];
-      m_parts.fetch_stars(i, m_rest.size(), [this](std::size_t k) { return m_rest[k]; });
-      if (triangulate_as_delaunay_without(v))
-        m_empty.push_back(m_editor.remove(m_polygon));
-      else
-        m_rest[left++] = v;
-    }
-    m_rest.resize(left);
+    return parts(i) ? m_state.ids().covered_point(id_at(i))
+                    : m_coming_points[i - m_waiting.size() - number_parted()];
   }
 
-  // Collects the positions to put in: those of waiting vertices, then those of points that
-  // have parted, then those of new points.
-  void collect_positions(const std::vector<Point_id>& parted)
+  // Sorts the positions along a curve.
+  void sort_positions()
   {
+    const Index number = Index(m_waiting.size() + m_ids.size());
     m_positions.clear();
-    const auto add = [this](const Position_2& p) {
-      m_positions.push_back(m_state.position_in_order(p));
-    };
-    for (const Slot& slot : m_waiting)
-      add(m_state.positions()[slot.vertex]);
-    for (const Point_id id : parted)
-      add(approximation(m_state.ids().covered_point(id)));
-    for (const Point& p : m_coming_points)
-      add(approximation(p));
-    const boost::counting_iterator<Index> first(0), beyond(Index(m_positions.size()));
-    m_order.sort(m_positions, first, beyond);
-    m_numbers.resize(m_order.size());
-    for (std::size_t k = 0; k < m_order.size(); ++k)
+    for (Index i = 0; i < number; ++i)
+      m_positions.push_back(m_state.position_in_order(
+          waits(i) ? m_state.positions()[m_waiting[i].vertex] : approximation(point_at(i))));
+    m_order.sort(m_positions, boost::counting_iterator<Index>(0),
+                 boost::counting_iterator<Index>(number));
+    m_numbers.resize(number);
+    for (std::size_t k = 0; k < number; ++k)
       m_numbers[k] = m_order[k];
   }
 
@@ -372,37 +348,32 @@ private:
   // with a fresh vertex there, and new ones where these do not suffice. Numbers of vertices follow
   // a curve, so the empty slots in the order of their numbers go to the positions in the order of
   // the curve: then vertices that are close in space still are close in memory.
-  void provide_slots(const std::vector<Point_id>& parted)
+  void provide_slots()
   {
-    const std::size_t waiting = m_waiting.size(), needed = m_order.size() - waiting,
-                      empty = m_empty.size();
-    const auto point = [&](std::size_t i) -> const Point& {
-      return i < waiting + parted.size() ? m_state.ids().covered_point(parted[i - waiting])
-                                         : m_coming_points[i - waiting - parted.size()];
-    };
+    const std::size_t needed = m_ids.size(), empty = m_empty.size();
     reserve_for_slots(needed);
     boost::sort::pdqsort(m_empty.begin(), m_empty.end(), // often sorted already
                          [](const Slot& s, const Slot& t) { return s.vertex < t.vertex; });
     m_slots = m_waiting;
-    m_slots.resize(m_order.size());
+    m_slots.resize(m_numbers.size());
     m_without_slot.clear();
-    for (std::size_t k = 0, n = 0; k < m_order.size(); ++k) {
-      const Index i = m_order[k];
-      if (i < waiting)
+    std::size_t n = 0;
+    for (const Index i : m_numbers) {
+      if (waits(i))
         continue;
       const std::size_t next = n * empty / needed; // spread evenly, be there more or fewer
       if (++n * empty / needed == next) {
         m_without_slot.push_back(i);
         continue;
       }
-      m_editor.renew_vertex(m_empty[next], point(i));
+      m_editor.renew_vertex(m_empty[next], point_at(i));
       m_slots[i] = m_empty[next];
     }
     if (m_without_slot.empty())
       return;
     m_editor.make_slots(
         m_without_slot.size(),
-        [&](std::size_t k) -> const Point& { return point(m_without_slot[k]); }, m_empty);
+        [&](std::size_t k) -> const Point& { return point_at(m_without_slot[k]); }, m_empty);
     for (std::size_t k = 0; k < m_without_slot.size(); ++k)
       m_slots[m_without_slot[k]] = m_empty[empty + k];
   }
@@ -415,24 +386,19 @@ private:
   }
 
   // Puts in, by parts, waiting vertices and new points. What is left stays in m_numbers.
-  void put_in_by_parts(std::size_t parted, Counts& counts)
+  void put_in_by_parts(Counts& counts)
   {
-    const std::size_t waiting = m_waiting.size(), first_coming = waiting + parted;
-    const auto slot = [&](Index i) {
-      return i < waiting || i >= first_coming ? &m_slots[i] : nullptr;
-    };
+    const auto slot = [&](Index i) { return parts(i) ? nullptr : &m_slots[i]; };
     const auto position = [this](Index i) { return m_positions[i]; };
-    const auto put = [&](auto& edit, Index i, const Star_polygon_2<State>& polygon) {
-      if (i < waiting)
-        edit.put_in_again(m_slots[i], polygon);
-      else
-        edit.put_in_new(m_slots[i], polygon, m_coming_ids[i - first_coming]);
+    const auto put = [&](auto& editor, Index i, const Polygon& polygon) {
+      put_in_at(editor, i, polygon);
     };
+    const std::size_t number = m_numbers.size();
     counts.steps += m_parts.put_in(m_numbers, slot, position, any_vertex(), put);
-    counts.in_parts = m_order.size() - m_numbers.size();
-    const auto is_left = [&](Index i) { return i < waiting; };
+    counts.in_parts = number - m_numbers.size();
     counts.relocated +=
-        waiting - std::size_t(std::count_if(m_numbers.begin(), m_numbers.end(), is_left));
+        m_waiting.size() - std::size_t(std::count_if(m_numbers.begin(), m_numbers.end(),
+                                                     [this](Index i) { return waits(i); }));
   }
 
   // A finite vertex that is in some face.
@@ -467,62 +433,48 @@ private:
     return {nearby, Index(spread)};
   }
 
-  Location locate(Vertex_index v, const Hint& hint) const
+  // Puts in the vertex of the i-th position. False if another vertex is there, which covers the
+  // points now.
+  bool put_in(Index i, const Hint& hint, std::size_t most, Counts& counts)
   {
-    const Vertex_target_2<State> target(m_state, v);
-    return Point_location_2(m_state, target).locate(hint.nearby, hint.spread);
-  }
-
-  // Returns v, or `null_index` if another vertex is there already, and now has the points of v.
-  Vertex_index put_in_again(const Slot& slot, const Hint& hint, std::size_t most, Counts& counts)
-  {
-    const Vertex_index v = slot.vertex;
-    const Location location = locate(v, hint);
+    const Slot slot = m_slots[i];
+    const Vertex_target_2<State> target(m_state, slot.vertex);
+    const Location location = Point_location_2(m_state, target).locate(hint.nearby, hint.spread);
     counts.steps += location.steps;
-    if (location.vertex == null_index) {
-      if (find_polygon(slot, location, most))
-        m_editor.put_in_again(slot, m_polygon);
-      else
-        m_editor.put_in_again(slot, seen(location));
-      ++counts.relocated;
-      return v;
-    }
+    counts.parted += parts(i);
     m_editor.reserve_for_covered(1);
-    m_editor.hand_points_to(location.vertex, v, m_state.point(v));
-    m_empty.push_back(slot);
-    ++counts.merged;
-    return null_index;
-  }
-
-  // Inserts a point that has parted, or a new one. Returns its vertex, or `null_index` if it is
-  // covered now.
-  Vertex_index insert(const std::vector<Point_id>& parted, std::size_t i, const Hint& hint,
-                      std::size_t most, Counts& counts)
-  {
-    const auto& ids = m_state.ids();
-    const bool parts = i < parted.size();
-    const std::size_t coming = i - parted.size();
-    const Point_id id = parts ? parted[i] : m_coming_ids[coming];
-    const Slot& slot = m_slots[m_waiting.size() + i];
-    counts.parted += parts;
-    m_editor.reserve_for_covered(1);
-    const Location location = locate(slot.vertex, hint);
-    counts.steps += location.steps;
     if (location.vertex != null_index) {
-      const Point p = parts ? ids.covered_point(id) : m_coming_points[coming];
-      m_editor.place_covered(id, location.vertex, p);
-      return null_index;
+      cover(i, location.vertex, counts);
+      return false;
     }
+    m_replaced = 0;
     if (find_polygon(slot, location, most))
-      m_editor.put_in_new(slot, m_polygon, id);
+      put_in_at(m_editor, i, m_polygon);
     else
-      m_editor.put_in_new(slot, seen(location), id);
-    return slot.vertex;
+      put_in_at(m_editor, i, typename Editor::Seen_face{location.face, location.chart});
+    counts.relocated += waits(i);
+    return true;
   }
 
-  static typename Editor::Seen_face seen(const Location& location)
+  template <class Some_editor, class Place>
+  void put_in_at(Some_editor& editor, Index i, const Place& place)
   {
-    return {location.face, location.chart};
+    if (waits(i))
+      editor.put_in_again(m_slots[i], place);
+    else
+      editor.put_in_new(m_slots[i], place, id_at(i));
+  }
+
+  void cover(Index i, Vertex_index by, Counts& counts)
+  {
+    if (waits(i)) {
+      m_editor.hand_points_to(by, m_slots[i].vertex, m_state.point(m_slots[i].vertex));
+      m_empty.push_back(m_slots[i]);
+      ++counts.merged;
+    } else {
+      const Point p = point_at(i);
+      m_editor.place_covered(id_at(i), by, p);
+    }
   }
 
   // Finds a polygon to put the slot's vertex in so that everything stays Delaunay. False if `most`
@@ -554,15 +506,16 @@ private:
   Vertex_order_2<State> m_meeting_order;
   Relocation_parts_2<State> m_parts;
   Spatial_order_2 m_order;
-  std::vector<Index> m_numbers; // of the positions to put in, in this order
-  std::vector<Position_2> m_positions;
-  Star_polygon_2<State> m_polygon;   // around the vertex that goes or comes
-  std::size_t m_replaced = 0;        // faces that the last vertex has replaced
-  std::vector<Vertex_index> m_rest;  // vertices for remove_rest()
-  std::vector<Slot> m_waiting;       // of vertices that jumped
-  std::vector<Slot> m_empty;         // of vertices without points
-  std::vector<Slot> m_slots;         // of the positions to put in
-  std::vector<Index> m_without_slot; // of these, those that need new ones
+  std::vector<Point_id> m_ids;         // of the points to put in, first those that have parted
+  std::vector<Position_2> m_positions; // to put in
+  std::vector<Index> m_numbers;        // of these, in this order
+  Polygon m_polygon;                   // around the vertex that goes or comes
+  std::size_t m_replaced = 0;          // faces that the last vertex has replaced
+  std::vector<Vertex_index> m_rest;    // vertices for remove_rest()
+  std::vector<Slot> m_waiting;         // of vertices that jumped
+  std::vector<Slot> m_empty;           // of vertices without points
+  std::vector<Slot> m_slots;           // of the positions to put in
+  std::vector<Index> m_without_slot;   // of these, those that need new ones
   std::vector<Point_id> m_coming_ids;
   std::vector<Point> m_coming_points;
 };

@@ -130,6 +130,17 @@ public:
     for_each_corner(v, [&](Halfedge_index h) { f(apex(next(h))); });
   }
 
+  // Calls f(e) for every edge e whose test depends on the position of v: those to which v is
+  // opposite, and those at v.
+  template <class Function>
+  void for_each_edge_that_sees(Vertex_index v, Function&& f) const
+  {
+    for_each_corner(v, [&](Halfedge_index h) {
+      f(edge_of(h));
+      f(edge_of(previous(h)));
+    });
+  }
+
   // The number of edges at v.
   Index degree(Vertex_index v) const
   {

@@ -8,6 +8,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
@@ -15,6 +16,7 @@
 #include <CGAL/enum.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <type_traits>
 #include <vector>
@@ -26,6 +28,37 @@ struct All_vertices_2
 {
   bool operator()(Vertex_index) const { return true; }
 };
+
+// Before every eighth vertex of a list, fetches what the next eight have around them, but none from
+// `beyond` on; the i-th is vertex(i). Walks around all of them in step, so that each step waits for
+// memory once. Also fetches the edges, if `has_edges`: not where other threads take vertices out
+// and put them in, because an edge opposite to the vertex may be theirs.
+template <bool has_edges = false, class State, class Vertex_at>
+void prefetch_stars(const State& state, std::size_t first, std::size_t beyond,
+                    const Vertex_at& vertex)
+{
+  constexpr std::size_t stretch = 8, usual_degree = 6;
+  if (first % stretch != 0)
+    return;
+  const Halfedge_arrays_2& arrays = state.arrays();
+  std::array<Halfedge_index, stretch> corners;
+  const std::size_t number = (std::min)(stretch, beyond - first);
+  for (std::size_t i = 0; i < number; ++i) {
+    corners[i] = arrays.corner(vertex(first + i));
+    arrays.prefetch_face(corners[i]);
+  }
+  for (std::size_t step = 0; step < usual_degree; ++step)
+    for (std::size_t i = 0; i < number; ++i) {
+      const Halfedge_index h = corners[i];
+      prefetch(state.positions().data() + arrays.source(h));
+      if constexpr (has_edges) {
+        arrays.prefetch_edge(arrays.edge_of(h));
+        arrays.prefetch_edge(arrays.edge_of(Halfedge_arrays_2::previous(h)));
+      }
+      corners[i] = arrays.next_corner(h);
+      arrays.prefetch_face(corners[i]);
+    }
+}
 
 // The polygon of the neighbors of a vertex, its *center*. When the center is taken out, the faces
 // of a triangulation of the polygon replace those around the center. The triangulation is a

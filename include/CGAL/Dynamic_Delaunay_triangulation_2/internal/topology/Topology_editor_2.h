@@ -219,16 +219,7 @@ public:
   // To take a vertex out, the faces around it are replaced by those of a triangulated polygon. To
   // put one in, a face is split, or those in a polygon are replaced. This works for any positions.
 
-  // Fetches what take_out() will write around v.
-  void prefetch_around(Vertex_index v) const
-  {
-    m_arrays.for_each_corner(v, [&](Halfedge_index h) {
-      internal::prefetch(&m_state.positions()[m_arrays.source(h)]);
-      m_arrays.prefetch_edge(m_arrays.edge_of(h));
-      m_arrays.prefetch_edge(m_arrays.edge_of(Halfedge_arrays_2::next(h)));
-      m_arrays.prefetch_face(m_arrays.twin(h));
-    });
-  }
+  // Fetches what take_out() and put_in() will write.
   void prefetch(const Polygon& polygon) const
   {
     if (m_arrays.number_of_vertices() < min_vertices_to_prefetch)

@@ -69,7 +69,7 @@ public:
       return;
     if (m_context.budget.is_spent())
       m_context.rebuild(Rebuild_reason_2::BUDGET_SPENT);
-    else if (!are_faces_right || !m_context.can_spare(1))
+    else if (!are_faces_right || !m_context.held.empty())
       m_context.rebuild(Rebuild_reason_2::STUCK);
   }
 
@@ -138,39 +138,30 @@ private:
       m_context.rebuild(Rebuild_reason_2::STUCK);
   }
 
-  // Takes out the vertices that are still held, from a Delaunay triangulation. They are put in at
-  // their targets later. Where one cannot be taken out, as at a side of a slab if its faces meet
-  // images of themselves, it goes to its target, and what that breaks is opened. Returns whether
-  // nothing is open.
+  // Takes out the vertices that are still held, from a Delaunay triangulation, unless too few
+  // others would stay. They are put in at their targets later. Where one cannot be taken out, as at
+  // a side of a slab if its faces meet images of themselves, it goes to its target, and what that
+  // breaks is opened. Returns whether nothing is held or open.
   bool take_out_held()
   {
-    const State& state = m_context.state;
     Proof& proof = m_context.proof;
-    take_out_many();
-    m_context.held.take_out_rest(
-        [&](Vertex_index v) {
-          if (state.arrays().is_outside(v))
-            return true;
-          m_context.budget.spend(Cost_model_2::removal);
-          return proof.empty() && m_context.can_spare(1) &&
-                 (m_context.relocation.take_out_of_delaunay(v) || take_out_of_hull(v));
-        },
-        m_left);
+    auto& held = m_context.held;
+    if (!m_context.can_spare(held.size()))
+      return false;
+    m_context.budget.spend(held.size() * Cost_model_2::removal);
+    held.list(m_left);
+    m_context.relocation.take_out_of_delaunay(m_left);
+    std::size_t left = 0;
     for (const Vertex_index v : m_left)
-      if (!state.arrays().is_outside(v))
-        proof.open_around(state, v);
+      if (!proof.empty() || !take_out_of_hull(v))
+        m_left[left++] = v;
+    m_left.resize(left);
+    held.let_go();
+    for (const Vertex_index v : m_left)
+      proof.open_around(m_context.state, v);
     if (!proof.empty())
       proof.set_faces(Proof::Faces::UNKNOWN);
     return proof.empty();
-  }
-
-  // If many vertices are still held, takes most of them out, by parts.
-  void take_out_many()
-  {
-    m_context.held.list(m_left);
-    if (m_context.proof.empty() && m_context.can_spare(m_left.size()))
-      m_context.budget.spend(m_context.relocation.take_out_of_delaunay(m_left) *
-                             Cost_model_2::removal);
   }
 
   // Takes out a vertex on the hull, or of high degree, and flips around. Whether the hull turns
@@ -178,13 +169,12 @@ private:
   bool take_out_of_hull(Vertex_index v)
   {
     const State& state = m_context.state;
-    Proof& proof = m_context.proof;
     const std::size_t first_new = state.changes().new_edges.size();
     if (!m_context.relocation.take_out(v, state.positions()[v]))
       return false;
-    proof.open_new_edges(state, first_new);
-    m_flips.run(proof.uncertain(), false);
-    return proof.empty();
+    m_context.proof.open_new_edges(state, first_new);
+    m_flips.run(m_context.proof.uncertain(), false);
+    return true;
   }
 
   Context& m_context;

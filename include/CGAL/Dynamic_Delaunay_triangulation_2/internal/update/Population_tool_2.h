@@ -13,7 +13,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_context_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -63,7 +65,10 @@ public:
     auto& relocation = m_context.relocation;
     Proof& proof = m_context.proof;
     const std::size_t first_new = m_state.changes().new_edges.size();
-    relocation.remove_of_delaunay(ids);
+    std::vector<Point_id> alone;
+    std::copy_if(ids.begin(), ids.end(), std::back_inserter(alone),
+                 [this](Point_id id) { return m_state.ids().is_alone(id); });
+    relocation.remove(alone, true);
     if (relocation.has_rest()) {
       const std::size_t first_unproved = m_state.changes().new_edges.size();
       if (!relocation.remove_rest())

@@ -104,11 +104,9 @@ private:
       return false;
     }
     const std::size_t first_new = m_state.changes().new_edges.size();
-    constexpr std::size_t ahead = 4; // to prefetch; none of the vertices is outside of all faces
     bool is_any_out = false;
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-      if (i + ahead < vertices.size())
-        m_context.editor.prefetch_around(vertices[i + ahead]);
+      prefetch_stars<true>(m_state, i, vertices.size(), [&](std::size_t k) { return vertices[k]; });
       is_any_out |=
           m_context.relocation.take_out(vertices[i], m_state.previous_position(vertices[i]));
     }
