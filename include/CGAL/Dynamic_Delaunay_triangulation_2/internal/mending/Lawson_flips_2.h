@@ -47,28 +47,20 @@ public:
     return flips;
   }
 
-  // Flips from a few edges whose data are in the cache, where the faces tile the convex hull or the
-  // torus. Leaves in `open` the edges that it could not prove.
+  // Flips from a few edges whose data are in the cache and whose test may have changed, where the
+  // faces tile the convex hull or the torus. Appends to `open` the edges that it could not prove.
   template <class State, class Editor>
-  std::size_t run_nearby(const State& state, Editor& editor, std::vector<Edge_index>& open,
-                         std::size_t most)
+  std::size_t run_nearby(const State& state, Editor& editor, const std::vector<Edge_index>& edges,
+                         std::vector<Edge_index>& open, std::size_t most)
   {
-    const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
-    m_work.open.clear();
-    m_work.not_flippable.clear();
-    m_work.flips = 0;
-    m_work.touched.swap(open);
+    m_work.clear();
     const auto flip = [&](Halfedge_index h) {
       editor.flip(h);
       return true;
     };
-    flip_touched(state, limit, flip, m_work);
-    open.clear();
-    for (std::vector<Edge_index>* edges : {&m_work.touched, &m_work.open, &m_work.not_flippable}) {
-      open.insert(open.end(), edges->begin(), edges->end());
-      edges->clear();
-    }
-    return m_work.flips;
+    typename State::Edge_test(state).append_unproved(edges, m_work.touched);
+    flip_touched(state, (std::min)(100 + 20 * m_work.touched.size(), most), flip, m_work);
+    return collect(m_work, open, open);
   }
 
   // Calls work(part, flip) for all parts, which threads share. It may move vertices whose stars are
@@ -79,31 +71,30 @@ public:
   std::size_t run_beside(const State& state, Editor& editor, const Topology_parts_2& topology,
                          std::size_t most, const Function& work, std::vector<Edge_index>& open)
   {
-    m_work.not_flippable.clear();
     clear_parts(topology.number());
     const std::size_t share = most / topology.number();
     editor.flip_in_parts(topology, true, most, [&](std::size_t part, const auto& try_flip) {
-      Work& mine = m_parts[part];
       work(part, [&](const std::vector<Edge_index>& edges) {
-        typename State::Edge_test(state).append_unproved(edges, mine.touched);
-        flip_touched(state, share, try_flip, mine);
-        mine.open.insert(mine.open.end(), mine.touched.begin(), mine.touched.end());
-        mine.touched.clear();
+        typename State::Edge_test(state).append_unproved(edges, m_parts[part].touched);
+        flip_touched(state, share, try_flip, m_parts[part]);
       });
     });
-    const std::size_t flips = collect(topology.number(), open);
-    open.insert(open.end(), m_work.not_flippable.begin(), m_work.not_flippable.end());
-    return flips;
+    return collect_parts(topology.number(), open, open);
   }
 
-  // Flips around v, which was put into a face. Leaves in `open` the edges that it could not prove.
+  // Flips around v, which was put into a face; where only in a Delaunay triangulation the next
+  // vertex can be located, as long as that helps. Leaves in `open` the edges that it could not
+  // prove.
   template <class State, class Editor>
   std::size_t run_around(const State& state, Editor& editor, Vertex_index v,
                          std::vector<Edge_index>& open, std::size_t most)
   {
     open.clear();
     state.arrays().for_each_edge_that_sees(v, [&](Edge_index e) { open.push_back(e); });
-    return run(state, editor, open, false, most);
+    std::size_t more = run(state, editor, open, false, most), flips = more;
+    for (; !State::can_locate_anywhere && more > 0 && !open.empty(); flips += more)
+      more = run(state, editor, open, false, most);
+    return flips;
   }
 
 private:
@@ -163,7 +154,7 @@ private:
                            const std::size_t share = limit * work.seeds.size() / seeds;
                            flip_from_seeds(state, work, share, try_flip);
                          });
-    return collect(topology.number(), open);
+    return collect_parts(topology.number(), open, m_work.not_flippable);
   }
 
   // Begins with empty parts.
@@ -174,17 +165,20 @@ private:
       part.clear();
   }
 
-  // Gathers what the parts have left open. Returns the number of their flips.
-  std::size_t collect(std::size_t parts, std::vector<Edge_index>& open)
+  // Appends what is left open. Return the number of flips.
+  static std::size_t collect(const Work& work, std::vector<Edge_index>& open,
+                             std::vector<Edge_index>& not_flippable)
+  {
+    open.insert(open.end(), work.open.begin(), work.open.end());
+    not_flippable.insert(not_flippable.end(), work.not_flippable.begin(), work.not_flippable.end());
+    return work.flips;
+  }
+  std::size_t collect_parts(std::size_t parts, std::vector<Edge_index>& open,
+                            std::vector<Edge_index>& not_flippable) const
   {
     std::size_t flips = 0;
-    for (std::size_t part = 0; part < parts; ++part) {
-      const Work& work = m_parts[part];
-      open.insert(open.end(), work.open.begin(), work.open.end());
-      m_work.not_flippable.insert(m_work.not_flippable.end(), work.not_flippable.begin(),
-                                  work.not_flippable.end());
-      flips += work.flips;
-    }
+    for (std::size_t part = 0; part < parts; ++part)
+      flips += collect(m_parts[part], open, not_flippable);
     return flips;
   }
 
@@ -225,11 +219,10 @@ private:
         prefetch_stretch(state, work.seeds, i);
       work.touched.push_back(work.seeds[i]);
       flip_touched(state, limit, try_flip, work);
-      work.open.insert(work.open.end(), work.touched.begin(), work.touched.end());
-      work.touched.clear();
     }
   }
 
+  // Examines the touched edges, and those that flips touch. What the limit has left is open.
   template <class State, class Try_flip>
   static void flip_touched(const State& state, std::size_t limit, const Try_flip& try_flip,
                            Work& work)
@@ -239,6 +232,8 @@ private:
       work.touched.pop_back();
       work.flips += examine(state, e, try_flip, work);
     }
+    work.open.insert(work.open.end(), work.touched.begin(), work.touched.end());
+    work.touched.clear();
   }
 
   // Flips e if that may help and is possible. Otherwise lists e in `work`, unless it is Delaunay.

@@ -231,10 +231,8 @@ private:
     m_relocation.put_in(
         {}, [] { return most_faces; },
         [this](Vertex_index v, std::size_t, std::size_t faces) {
-          if (faces == 0) {
+          if (faces == 0)
             m_lawson.run_around(m_state, m_editor, v, m_open, any_number);
-            flip(m_open, any_number);
-          }
           return true;
         });
     m_relocation.finish();

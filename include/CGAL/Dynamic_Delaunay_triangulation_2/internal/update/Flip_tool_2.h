@@ -26,7 +26,6 @@ template <class State>
 class Flip_tool_2
 {
   using Context = Update_context_2<State>;
-  using Proof = Update_proof_2;
 
 public:
   explicit Flip_tool_2(Context& context)
@@ -84,10 +83,7 @@ public:
   void flip_nearby(const std::vector<Edge_index>& edges)
   {
     m_edges.clear();
-    typename State::Edge_test(m_state).append_unproved(edges, m_edges);
-    if (m_edges.empty())
-      return;
-    note(m_lawson.run_nearby(m_state, m_context.editor, m_edges, most_flips()));
+    note(m_lawson.run_nearby(m_state, m_context.editor, edges, m_edges, most_flips()));
     m_context.proof.open(m_edges);
   }
 
@@ -107,11 +103,8 @@ public:
   // Flips around a vertex that was put into a face, and opens the edges that it cannot prove.
   void legalize_around(Vertex_index v)
   {
-    std::size_t flips = m_lawson.run_around(m_state, m_context.editor, v, m_edges, most_flips());
-    for (std::size_t more = flips; !State::can_locate_anywhere && more > 0 && !m_edges.empty();) {
-      more = m_lawson.run(m_state, m_context.editor, m_edges, false, most_flips());
-      flips += more;
-    }
+    const std::size_t flips =
+        m_lawson.run_around(m_state, m_context.editor, v, m_edges, most_flips());
     m_context.report().flips += flips;
     spend_on_legalizing(flips);
     m_context.proof.open(m_edges);
