@@ -22,7 +22,6 @@ template <class State>
 class Hold_tool_2
 {
   using Context = Update_context_2<State>;
-  using Proof = Update_proof_2;
   using At_hull = typename Held_vertices_2<State>::At_hull;
 
 public:
@@ -37,10 +36,10 @@ public:
 
   void hold()
   {
-    Proof& proof = m_context.proof;
+    Update_proof_2& proof = m_context.proof;
     if (!m_context.can_hold() || proof.empty())
       return;
-    if (m_context.task.jumper != null_index)
+    if (m_context.proof.task().jumper != null_index)
       return take_out_jumper();
     const std::size_t first_flip = m_context.state.changes().new_edges.size();
     if (flips_suffice())
@@ -93,14 +92,14 @@ private:
   // Otherwise the uncertain edges are as before, but what was flipped has to be undone.
   bool flips_suffice()
   {
-    Proof& proof = m_context.proof;
+    Update_proof_2& proof = m_context.proof;
     const std::size_t edges = proof.uncertain().size();
     if (edges > 8 + m_context.state.arrays().number_of_edges() / 256)
       return false;
     m_uncertain = proof.uncertain();
     if (m_flips.try_to_prove(m_uncertain, 20 + 4 * edges)) {
       proof.uncertain().clear();
-      proof.set_faces(Proof::Faces::TILE_HULL);
+      proof.set_faces_tile_hull(true);
       return true;
     }
     return false;
@@ -110,7 +109,7 @@ private:
   // vertices of the hull have gone far into it, it may fold though all faces are counterclockwise.
   bool try_to_hold(At_hull at_hull)
   {
-    Proof& proof = m_context.proof;
+    Update_proof_2& proof = m_context.proof;
     auto& held = m_context.held;
     const std::size_t most = m_context.most_to_hold();
     const bool are_faces_right = held.hold(proof.uncertain(), most, at_hull);
@@ -124,7 +123,7 @@ private:
     held.append_unproved(m_changed);
     if (!m_flips.mend_hull(m_changed))
       return false;
-    proof.set_faces(Proof::Faces::TILE_HULL);
+    proof.set_faces_tile_hull(true);
     proof.open(m_changed);
     return true;
   }
@@ -133,7 +132,7 @@ private:
   void take_out_jumper()
   {
     m_context.proof.clear();
-    m_context.held.hold_at_rest(m_context.task.jumper);
+    m_context.held.hold_at_rest(m_context.proof.task().jumper);
     if (!take_out_held())
       m_context.rebuild(Rebuild_reason_2::STUCK);
   }
@@ -144,7 +143,7 @@ private:
   // breaks is opened. Returns whether nothing is held or open.
   bool take_out_held()
   {
-    Proof& proof = m_context.proof;
+    Update_proof_2& proof = m_context.proof;
     auto& held = m_context.held;
     if (!m_context.can_spare(held.size()))
       return false;
@@ -160,7 +159,7 @@ private:
     for (const Vertex_index v : m_left)
       proof.open_around(m_context.state, v);
     if (!proof.empty())
-      proof.set_faces(Proof::Faces::UNKNOWN);
+      proof.set_faces_tile_hull(false);
     return proof.empty();
   }
 

@@ -25,7 +25,6 @@ template <class State>
 class Population_tool_2
 {
   using Context = Update_context_2<State>;
-  using Proof = Update_proof_2;
 
 public:
   Population_tool_2(Context& context, Flip_tool_2<State>& flips)
@@ -42,7 +41,7 @@ public:
     if (ids.empty())
       return true;
     auto& relocation = m_context.relocation;
-    Proof& proof = m_context.proof;
+    Update_proof_2& proof = m_context.proof;
     const bool are_delaunay = proof.is_rest_known() && !m_state.have_points_moved();
     const std::vector<Vertex_index> moved = relocation.remove(ids, are_delaunay);
     if (!moved.empty())
@@ -63,7 +62,7 @@ public:
   bool remove_before_motion(const std::vector<Point_id>& ids)
   {
     auto& relocation = m_context.relocation;
-    Proof& proof = m_context.proof;
+    Update_proof_2& proof = m_context.proof;
     const std::size_t first_new = m_state.changes().new_edges.size();
     std::vector<Point_id> alone;
     std::copy_if(ids.begin(), ids.end(), std::back_inserter(alone),
@@ -73,11 +72,11 @@ public:
       const std::size_t first_unproved = m_state.changes().new_edges.size();
       if (!relocation.remove_rest())
         return false;
-      Proof around;
+      Update_proof_2 around;
       around.open_new_edges(m_state, first_unproved);
       m_flips.run(around.uncertain(), false);
       if (!around.empty() || !proof.hull_turns_once(m_state))
-        proof.set_rest(Proof::Rest::UNKNOWN);
+        proof.forget_rest();
     }
     proof.open_new_edges(m_state, first_new);
     return true;
@@ -87,11 +86,11 @@ public:
   // each.
   void put_in(const std::vector<Point_id>& parted)
   {
-    Proof& proof = m_context.proof;
+    Update_proof_2& proof = m_context.proof;
     Repair_budget_2& budget = m_context.budget;
     CGAL_precondition(!proof.is_required() || proof.empty());
     bool is_delaunay = proof.is_required(); // the end of the update tests that the hull turns once
-    proof.set_faces(Proof::Faces::UNKNOWN);
+    proof.set_faces_tile_hull(false);
     budget.allow((parted.size() + m_context.relocation.number_to_put_in()) *
                  Cost_model_2::relocation);
     std::size_t steps_before = 0;

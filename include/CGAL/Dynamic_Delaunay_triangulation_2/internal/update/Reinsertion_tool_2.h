@@ -78,8 +78,7 @@ private:
       return;
     collect_region(m_state, vertices, padding, m_region);
     if (!m_context.proof.is_required()) {
-      m_context.proof.require();
-      m_context.proof.take_unproved(m_state);
+      m_context.proof.require_of_all(m_state);
       m_flips.flip();
     }
     if (m_context.has_rebuilt() || m_region.empty())

@@ -31,7 +31,6 @@ template <class State>
 class Splice_tool_2
 {
   using Context = Update_context_2<State>;
-  using Proof = Update_proof_2;
 
 public:
   Splice_tool_2(Context& context, Flip_tool_2<State>&)
@@ -85,7 +84,7 @@ private:
   {
     if (m_context.has_rebuilt())
       return false;
-    m_context.proof.set_faces(Proof::Faces::UNKNOWN);
+    m_context.proof.set_faces_tile_hull(false);
     m_context.proof.forget_hull();
     const std::size_t most = m_context.budget.left() / Cost_model_2::spliced_vertex;
     Splice_limits_2 limits{max_enlargements, most};
@@ -155,7 +154,7 @@ private:
   // coincidence was found.
   void merge()
   {
-    Proof& proof = m_context.proof;
+    Update_proof_2& proof = m_context.proof;
     if (!proof.is_required())
       return m_context.rebuild(Rebuild_reason_2::COINCIDENCE);
     proof.reopen(m_state, m_boundary_edges);

@@ -40,7 +40,6 @@ class Update_2
   using Point = typename State::Point;
   using Tools = Repair_tools_2<State>;
   using Mender = Dynamic_mender_2<Tools>;
-  using Proof = Update_proof_2;
   using Frame = Dynamic_frame_2<State>;
   using Change = Change_2<Point>;
 
@@ -166,7 +165,6 @@ private:
       mend(change, choices);
     if (report.removed > 0 || report.merged > 0) // vertices may have taken other points
       find_parted(change, was_certified);
-    prove_before_points_come(report);
     put_in(report);
     prove(change, report);
     return report;
@@ -308,25 +306,20 @@ private:
   void classify(const Change& change, const Choices& choices, bool was_certified, const Plan& plan)
   {
     Update_task_2 task;
-    task.rest = was_certified ? Proof::Rest::DELAUNAY : Proof::Rest::UNKNOWN;
+    task.is_rest_known = was_certified;
     task.changes = change.gone.size() + change.coming.size();
-    const auto require_if = [&](bool is) {
-      task.goal = is ? Proof::Goal::DELAUNAY : Proof::Goal::NONE;
-    };
     if (change.is_frame) {
-      require_if(choices.is_exact());
-      if (plan.is_at_rest)
-        task.hull = Proof::Hull::AS_BEFORE;
-      else if (plan.steps == 1) // each step is classified on its own
+      task.needs_proof = choices.is_exact();
+      task.is_hull_as_before = plan.is_at_rest;
+      if (!plan.is_at_rest && plan.steps == 1) // each step is classified on its own
         choices.classify(Frame(m_state), m_context.classification);
     } else if (change.is_mending ||
                ((choices.is_exact() || !State::can_locate_anywhere) && !was_certified)) {
-      require_if(true);
+      task.needs_proof = true;
       Circumcircle_classifier_2()(Frame(m_state), m_context.classification);
     } else {
-      require_if(was_certified);
-      if (was_certified && !is_any_on_hull(change.moved))
-        task.hull = Proof::Hull::AS_BEFORE;
+      task.needs_proof = was_certified;
+      task.is_hull_as_before = was_certified && !is_any_on_hull(change.moved);
       task.jumper = was_certified ? find_jumper(change.moved) : null_index;
       if (task.jumper == null_index)
         classify_around(change.moved);
@@ -385,9 +378,9 @@ private:
   // Takes a rough frame in equal steps. Each is mended like a frame of its own.
   void mend_in_steps(unsigned steps, const Change& change, const Choices& choices)
   {
-    Update_task_2 task = m_context.task;
+    Update_task_2 task = m_context.proof.task();
     if (!m_context.can_hold()) { // a removal has left open where the others rest
-      task.rest = Proof::Rest::UNKNOWN;
+      task.is_rest_known = false;
       steps = 1;
     }
     Circumcircle_classifier_2 classifier;
@@ -403,32 +396,25 @@ private:
     }
   }
 
-  // Mends everything before points are put in, where they can be located only if all is Delaunay.
-  void prove_before_points_come(const Update_report_2& report)
-  {
-    if (State::can_locate_anywhere || report.rebuilt() || m_context.proof.is_required() ||
-        (m_context.relocation.number_to_put_in() == 0 && m_parted.empty()))
-      return;
-    m_context.proof.require();
-    m_context.proof.take_unproved(m_state);
-    Mender mender(m_tools);
-    Hold_and_flip_repair_2().mend(mender);
-  }
-
   // Puts in vertices outside of faces, new points and those that have parted, and mends around
-  // them.
+  // them. Before that mends everything, where points can be located only if all is Delaunay.
   void put_in(Update_report_2& report)
   {
-    if (report.rebuilt() || (m_context.proof.is_required() && !m_context.proof.empty()))
-      return;
     const auto& relocation = m_context.relocation;
-    const bool has_left_open = relocation.is_under_way() && !m_context.proof.empty();
-    if (!m_parted.empty() || relocation.number_to_put_in() > 0 || has_left_open) {
-      m_tools.population.put_in(m_parted);
-      Mender mender(m_tools);
-      if (!mender.is_done())
-        Hold_and_flip_repair_2().mend(mender);
+    auto& proof = m_context.proof;
+    const Hold_and_flip_repair_2 repair;
+    Mender mender(m_tools);
+    const bool are_any = relocation.number_to_put_in() > 0 || !m_parted.empty();
+    if (!State::can_locate_anywhere && are_any && !report.rebuilt() && !proof.is_required()) {
+      proof.require_of_all(m_state);
+      repair.mend(mender);
     }
+    const bool has_left_open = relocation.is_under_way() && !proof.empty();
+    if (report.rebuilt() || (proof.is_required() && !proof.empty()) || !(are_any || has_left_open))
+      return;
+    m_tools.population.put_in(m_parted);
+    if (!mender.is_done())
+      repair.mend(mender);
   }
 
   // Rebuilds if a proof is required and was not completed.

@@ -22,16 +22,6 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// What an update is about, besides what the classifier names.
-struct Update_task_2
-{
-  Update_proof_2::Goal goal = Update_proof_2::Goal::NONE;
-  Update_proof_2::Rest rest = Update_proof_2::Rest::UNKNOWN;
-  Update_proof_2::Hull hull = Update_proof_2::Hull::UNKNOWN;
-  std::size_t changes = 0;          // the number of points inserted and removed
-  Vertex_index jumper = null_index; // the only vertex that has moved, if it is to be taken out
-};
-
 // What one update knows, and what its tools share: the triangulation, vertices that are not where
 // they belong, the proof, the budget and the report. A rebuild ends the work of all tools.
 template <class State>
@@ -60,7 +50,6 @@ public:
   typename State::Builder builder;
   Held_vertices_2<State> held;
   Vertex_relocation_2<State> relocation; // vertices outside of all faces, and points to insert
-  Update_task_2 task;
   Update_proof_2 proof;
   Repair_budget_2 budget;
   Classification classification;
@@ -86,8 +75,7 @@ public:
     is_exact = is_classifier_exact;
     m_classified_edges = 0;
     m_steps = m_steps_left = 1;
-    proof.start(Update_proof_2::Goal::NONE, Update_proof_2::Rest::UNKNOWN,
-                Update_proof_2::Hull::UNKNOWN);
+    proof.start({});
     forget_sets();
     budget.start_generously(price_of_rebuild());
   }
@@ -109,11 +97,10 @@ public:
   }
 
   // Opens what was classified, and all edges that see the jumper, if there is one.
-  void open(const Update_task_2& what)
+  void open(const Update_task_2& task)
   {
-    task = what;
     m_report->classified = classification.size();
-    proof.start(task.goal, task.rest, task.hull);
+    proof.start(task);
     proof.take(classification, state);
     m_classified_edges += proof.size();
     m_price_of_mending = price(Cost_model_2::mending);
@@ -226,7 +213,7 @@ private:
   }
   std::size_t price_of_changes() const
   {
-    return Cost_model_2::changes(task.changes, state.number_of_vertices());
+    return Cost_model_2::changes(proof.task().changes, state.number_of_vertices());
   }
 
   // Clears sets of vertices, whose numbers may have changed.

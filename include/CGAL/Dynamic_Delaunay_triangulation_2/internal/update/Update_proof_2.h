@@ -19,47 +19,39 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
-// What an update has to prove, what it started from, and how far it has come: which edges are
-// *open*, that is, not proved Delaunay yet, and what is known of the faces. Edges known to be
-// illegal between two counterclockwise faces are kept apart, because a flip repairs them.
+// What an update is about, besides what the classifier names.
+struct Update_task_2
+{
+  bool needs_proof = false;       // of everything; otherwise what the tools leave is right
+  bool is_rest_known = false;     // all is Delaunay where vertices were before they moved, and rest
+  bool is_hull_as_before = false; // it turned around once; new faces alone may have changed it
+  std::size_t changes = 0;        // the number of points inserted and removed
+  Vertex_index jumper = null_index; // the only vertex that has moved, if it is to be taken out
+};
+
+// How far an update has come: which edges are *open*, that is, not proved Delaunay yet, and what is
+// known of the faces. Edges known to be illegal between two counterclockwise faces are kept apart,
+// because a flip repairs them.
 class Update_proof_2
 {
 public:
-  enum class Goal {
-    NONE,    // whatever the tools leave: the classifier is heuristic
-    DELAUNAY // everything
-  };
-  // What is known of the vertices where they rest, which is where they were before they moved.
-  enum class Rest { UNKNOWN, DELAUNAY };
-  enum class Hull {
-    UNKNOWN,
-    AS_BEFORE // it turned around once, and none of its vertices has moved; new faces may change it
-  };
-  enum class Faces {
-    UNKNOWN,
-    TILE_HULL // counterclockwise, they tile the convex hull; on a torus, the torus
-  };
-
   // Starts anew, with no open edge.
-  void start(Goal goal, Rest rest, Hull hull)
+  void start(const Update_task_2& task)
   {
-    m_goal = goal;
-    m_rest = rest;
-    m_hull = hull;
+    m_task = task;
     clear();
   }
 
-  bool is_required() const { return m_goal == Goal::DELAUNAY; }
-  void require() { m_goal = Goal::DELAUNAY; }
+  const Update_task_2& task() const { return m_task; }
+  bool is_required() const { return m_task.needs_proof; }
+  bool is_rest_known() const { return m_task.is_rest_known; }
+  void forget_rest() { m_task.is_rest_known = false; }
+  void forget_hull() { m_task.is_hull_as_before = false; }
 
-  bool is_rest_known() const { return m_rest == Rest::DELAUNAY; }
-  void set_rest(Rest rest) { m_rest = rest; }
-
-  void forget_hull() { m_hull = Hull::UNKNOWN; }
-
-  // What the last tool has proved of the faces. If no tool was used yet, what the classifier has.
-  bool do_faces_tile_hull() const { return m_faces == Faces::TILE_HULL; }
-  void set_faces(Faces faces) { m_faces = faces; }
+  // Whether the last tool has proved that the faces tile the convex hull, on a torus the torus, as
+  // counterclockwise faces do. If no tool was used yet, whether the classifier has.
+  bool do_faces_tile_hull() const { return m_do_faces_tile_hull; }
+  void set_faces_tile_hull(bool do_tile) { m_do_faces_tile_hull = do_tile; }
 
   // Whether nothing is left to prove.
   template <class State>
@@ -83,7 +75,7 @@ public:
         ++i;
       return i == beyond;
     };
-    return (m_hull == Hull::AS_BEFORE && !changes.everything_is_new &&
+    return (m_task.is_hull_as_before && !changes.everything_is_new &&
             State::Parts::all_of(changes.new_edges.size(), are_inside)) ||
            Dynamic_frame_2<State>(state).hull_turns_once();
   }
@@ -103,7 +95,7 @@ public:
   {
     m_uncertain.clear();
     m_illegal.clear();
-    m_faces = Faces::UNKNOWN;
+    m_do_faces_tile_hull = false;
   }
 
   // Opens these edges.
@@ -135,7 +127,7 @@ public:
     m_uncertain.insert(m_uncertain.end(), edges.begin(), illegal);
     m_illegal.assign(illegal, edges.end());
     if (empty() && classification.hull_turns_once())
-      m_faces = Faces::TILE_HULL;
+      m_do_faces_tile_hull = true;
   }
 
   // Opens the edges that the log of new edges lists from the i-th on, and the edges around these,
@@ -160,13 +152,14 @@ public:
       return arrays.is_empty_edge(m_uncertain[k]) || m_opened.contains(m_uncertain[k]);
     });
     m_uncertain.insert(m_uncertain.end(), m_opened.begin(), m_opened.end());
-    m_faces = Faces::UNKNOWN;
+    m_do_faces_tile_hull = false;
   }
 
-  // Opens all edges that may not be Delaunay.
+  // From now on everything has to be proved. Opens all edges that may not be Delaunay.
   template <class State>
-  void take_unproved(const State& state)
+  void require_of_all(const State& state)
   {
+    m_task.needs_proof = true;
     clear();
     append_unproved(state, m_uncertain);
   }
@@ -223,10 +216,8 @@ private:
 
   std::vector<Edge_index> m_uncertain, m_illegal, m_unproved;
   Index_set<Edge_index> m_opened;
-  Goal m_goal = Goal::NONE;
-  Rest m_rest = Rest::UNKNOWN;
-  Hull m_hull = Hull::UNKNOWN;
-  Faces m_faces = Faces::UNKNOWN;
+  Update_task_2 m_task;
+  bool m_do_faces_tile_hull = false;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
