@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -249,19 +250,13 @@ private:
 
   void find_disagreeing()
   {
+    m_unmatched.clear();
     m_disagreeing.clear();
-    const auto note = [this](const Boundary_edge_2& edge) {
-      m_disagreeing.push_back(edge.source);
-      m_disagreeing.push_back(edge.target);
-    };
-    auto a = m_old_boundary.begin(), b = m_new.boundary.begin();
-    while (a != m_old_boundary.end() || b != m_new.boundary.end())
-      if (b == m_new.boundary.end() || (a != m_old_boundary.end() && *a < *b))
-        note(*a++);
-      else if (a == m_old_boundary.end() || *b < *a)
-        note(*b++);
-      else
-        ++a, ++b;
+    std::set_symmetric_difference(m_old_boundary.begin(), m_old_boundary.end(),
+                                  m_new.boundary.begin(), m_new.boundary.end(),
+                                  std::back_inserter(m_unmatched));
+    for (const Boundary_edge_2& edge : m_unmatched)
+      m_disagreeing.insert(m_disagreeing.end(), {edge.source, edge.target});
   }
 
   // Whether an edge between two new faces joins vertices outside of the cluster that another edge,
@@ -301,7 +296,8 @@ private:
   Index_set<Face_index> m_old_faces;
   bool m_has_infinite_faces = false;           // among the old faces
   std::vector<Boundary_edge_2> m_old_boundary; // sorted by source, then target
-  std::vector<Halfedge_index> m_outside;       // beyond that boundary
+  std::vector<Boundary_edge_2> m_unmatched;    // boundary edges of either faces alone
+  std::vector<Halfedge_index> m_outside;       // beyond the old boundary
   std::vector<Vertex_index> m_region;
   Column<Face_index, Face_index> m_new_number; // of each face of the triangulator
   Patch_2 m_new;

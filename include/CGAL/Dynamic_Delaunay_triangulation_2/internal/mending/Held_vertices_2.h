@@ -108,24 +108,24 @@ public:
   {
     m_waiting.clear();
     for (std::size_t i = 0; i < m_held.size(); ++i)
-      if (m_held[i].progress == Progress::WAITING)
+      if (m_held[i].share == untried)
         m_waiting.push_back(i);
     for (std::size_t n = 0; n < m_waiting.size(); ++n) {
       prefetch_stars(n, m_waiting.size(), [this](std::size_t i) { return m_waiting[i]; });
       Held& held = m_held[m_waiting[n]];
       m_changed.clear();
-      held.progress = progress_of(is_to_be_taken_out(held) ? 0 : move_on(held));
+      held.share = is_to_be_taken_out(held) ? 0 : move_on(held);
       if (!m_changed.empty())
         flip(m_changed);
     }
     std::size_t kept = 0;
     bool has_any_moved = false;
     for (Held& held : m_held) {
-      has_any_moved |= held.progress != Progress::BLOCKED;
-      if (held.progress == Progress::ARRIVED) {
+      has_any_moved |= held.share > 0;
+      if (held.share == 1) {
         m_bonds[held.vertex] = Bond::FREE;
       } else {
-        held.progress = Progress::WAITING;
+        held.share = untried;
         m_held[kept++] = held;
       }
     }
@@ -147,10 +147,10 @@ public:
       Held& held = m_held[i];
       if (is_to_be_taken_out(held) || !topology.has_star(part, held.vertex))
         continue;
-      held.progress = progress_of(move_in_star(held));
-      if (held.progress == Progress::BLOCKED) {
+      held.share = move_in_star(held);
+      if (held.share == 0) {
         if (may_flip_into_gap(held.vertex))
-          held.progress = Progress::WAITING;
+          held.share = untried;
         continue;
       }
       changed.clear();
@@ -183,7 +183,7 @@ public:
   void hold_at_rest(Vertex_index v)
   {
     reserve_bonds();
-    m_held.push_back({v, true, Progress::WAITING, m_editor.stored(v)});
+    m_held.push_back({v, true, untried, m_editor.stored(v)});
     put_to_rest(v);
   }
 
@@ -191,14 +191,14 @@ private:
   using Parts = typename State::Parts;
 
   enum class Bond : std::uint8_t { FREE, CARRIED, AT_REST };
-  // In a round of release().
-  enum class Progress : std::uint8_t { WAITING, BLOCKED, MOVED, ARRIVED };
+
+  static constexpr double untried = -1;
 
   struct Held
   {
     Vertex_index vertex;
     bool goes_far;
-    Progress progress;
+    double share; // of its way, that it has moved in this round of release(), or `untried`
     Stored_point target;
 
     bool operator<(const Held& other) const { return vertex < other.vertex; }
@@ -437,7 +437,7 @@ private:
   {
     if (m_bonds[v] == Bond::FREE) {
       const Position_2 mean = mean_displacement(v);
-      held.push_back({v, goes_far(v, mean), Progress::WAITING, m_editor.stored(v)});
+      held.push_back({v, goes_far(v, mean), untried, m_editor.stored(v)});
       carry(v, mean);
     } else
       put_to_rest(v);
@@ -520,11 +520,6 @@ private:
       return held.goes_far || m_state.arrays().are_neighbors(held.vertex, infinite_index);
     else
       return held.goes_far && !may_flip_into_gap(held.vertex);
-  }
-
-  static Progress progress_of(double share)
-  {
-    return share == 1 ? Progress::ARRIVED : share > 0 ? Progress::MOVED : Progress::BLOCKED;
   }
 
   // Returns the share of the way to its target that the vertex has moved. Lists the edges whose

@@ -239,6 +239,23 @@ private:
   const Is_free m_is_free;
 };
 
+// Where to start a search: `nearby` is a vertex in some face, `spread` as for locate().
+struct Location_hint_2
+{
+  Vertex_index nearby;
+  Index spread;
+};
+
+// Locates a vertex that is in no face.
+template <class State, class Is_free = All_vertices_2>
+Location_2<State> locate_vertex(const State& state, Vertex_index v, const Location_hint_2& hint,
+                                const Is_free& is_free = Is_free())
+{
+  const Vertex_target_2<State> target(state, v);
+  return Point_location_2<State, Vertex_target_2<State>, Is_free>(state, target, is_free)
+      .locate(hint.nearby, hint.spread);
+}
+
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_INTERNAL_MENDING_POINT_LOCATION_2_H

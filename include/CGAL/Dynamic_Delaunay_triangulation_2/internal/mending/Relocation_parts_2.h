@@ -97,10 +97,7 @@ public:
       const Slot* const s = slot(i);
       if (mine.nearby == null_index || s == nullptr)
         return false;
-      const Vertex_target_2<State> target(m_state, s->vertex);
-      const Location location = Point_location_2<State, Vertex_target_2<State>, decltype(is_free)>(
-                                    m_state, target, is_free)
-                                    .locate(mine.nearby, spread);
+      const Location location = locate_vertex(m_state, s->vertex, {mine.nearby, spread}, is_free);
       mine.steps += location.steps;
       if (location.face == null_index || !location.is_inside ||
           !mine.polygon.find_as_delaunay(m_state, location.face, location.chart, s->vertex,
@@ -228,9 +225,8 @@ private:
       const Slot* const s = slot(numbers[mine.places[i]]);
       if (s == nullptr)
         continue;
-      const Vertex_target_2<State> target(m_state, s->vertex);
       const Location location =
-          Point_location_2(m_state, target).locate(anywhere, m_state.number_of_vertices());
+          locate_vertex(m_state, s->vertex, {anywhere, m_state.number_of_vertices()});
       steps += location.steps;
       for (const Vertex_index w : m_state.arrays().face(location.face))
         if (parts.has_vertex(part, w))

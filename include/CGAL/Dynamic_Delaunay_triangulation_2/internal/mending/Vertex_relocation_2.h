@@ -204,7 +204,7 @@ public:
     provide_slots();
     if (most_faces() > 0 && m_parts.are_worth(m_numbers.size()))
       put_in_by_parts(counts);
-    Hint hint{any_vertex(), m_state.number_of_vertices()};
+    Location_hint_2 hint{any_vertex(), m_state.number_of_vertices()};
     bool goes_on = true;
     for (std::size_t k = 0; k < m_numbers.size() && goes_on; ++k) {
       const Vertex_index v = m_slots[m_numbers[k]].vertex;
@@ -416,15 +416,8 @@ private:
     return {Halfedge_arrays_2::face_of(h), m_state.chart_at(h)};
   }
 
-  // Where to start the search for the next position.
-  struct Hint
-  {
-    Vertex_index nearby;
-    Index spread; // of the numbers of vertices around the position
-  };
-
   // A neighbor of v, because the number of v itself belongs to its former position.
-  Hint hint_at(Vertex_index v) const
+  Location_hint_2 hint_at(Vertex_index v) const
   {
     Vertex_index nearby = v;
     m_state.arrays().for_each_neighbor(
@@ -435,11 +428,10 @@ private:
 
   // Puts in the vertex of the i-th position. False if another vertex is there, which covers the
   // points now.
-  bool put_in(Index i, const Hint& hint, std::size_t most, Counts& counts)
+  bool put_in(Index i, const Location_hint_2& hint, std::size_t most, Counts& counts)
   {
     const Slot slot = m_slots[i];
-    const Vertex_target_2<State> target(m_state, slot.vertex);
-    const Location location = Point_location_2(m_state, target).locate(hint.nearby, hint.spread);
+    const Location location = locate_vertex(m_state, slot.vertex, hint);
     counts.steps += location.steps;
     counts.parted += parts(i);
     m_editor.reserve_for_covered(1);
