@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
 

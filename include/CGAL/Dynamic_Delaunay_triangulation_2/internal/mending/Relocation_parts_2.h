@@ -7,7 +7,6 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Point_location_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Spatial_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
@@ -16,7 +15,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>

@@ -244,8 +244,7 @@ public:
         m_editor.put_in(slot, any_face());
     m_editor.drop_in_need(m_empty);
     for_each_coming([this](Point_id id, const Point&) { m_editor.release_id(id); });
-    m_empty.clear();
-    forget_all();
+    forget();
   }
 
   // Cancels everything, because the triangulation is replaced by another one.

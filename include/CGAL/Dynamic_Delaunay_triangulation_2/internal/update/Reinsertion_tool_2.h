@@ -8,6 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Cluster_splice_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Cost_model_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Flip_tool_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/update/Update_context_2.h>

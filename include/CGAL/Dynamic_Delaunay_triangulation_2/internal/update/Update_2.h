@@ -148,12 +148,12 @@ private:
         learn(plan.reason);
     }
     if (plan.reason != Rebuild_reason_2::NONE) {
-      rebuild(change, plan.reason, report);
+      rebuild(change, plan.reason);
       return report;
     }
     if (change.has_population()) {
       if (!remove(change.gone, change.is_frame, input)) {
-        rebuild(change, Rebuild_reason_2::STUCK, report);
+        rebuild(change, Rebuild_reason_2::STUCK);
         return report;
       }
       m_context.relocation.announce(change.coming, change.coming_points);
@@ -277,21 +277,13 @@ private:
                                   Cost_model_2::rebuild(m_state.ids().number_of_covered());
   }
 
-  void rebuild(Change& change, Rebuild_reason_2 reason, Update_report_2& report)
+  void rebuild(Change& change, Rebuild_reason_2 reason)
   {
-    const bool spanned_plane = m_state.spans_plane();
-    if (change.gone.empty() && change.coming.empty()) {
-      m_context.rebuild(reason);
-    } else {
-      m_context.relocation.give_up(); // drops the slots of points that were removed already
-      const auto is_gone = [this](Point_id id) { return !m_state.ids().is_taken(id); };
-      change.gone.erase(std::remove_if(change.gone.begin(), change.gone.end(), is_gone),
-                        change.gone.end());
-      m_context.builder.build_with(change.gone, std::move(change.coming),
-                                   std::move(change.coming_points));
-      report.rebuild_reason =
-          spanned_plane && m_state.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
-    }
+    const auto is_gone = [this](Point_id id) { return !m_state.ids().is_taken(id); };
+    change.gone.erase(std::remove_if(change.gone.begin(), change.gone.end(), is_gone),
+                      change.gone.end());
+    m_context.rebuild(reason, change.gone, std::move(change.coming),
+                      std::move(change.coming_points));
     m_has_removed = true;
     m_is_certified = true;
   }

@@ -108,8 +108,8 @@ public:
       proof.open_around(state, task.jumper);
   }
 
-  // After an exception: puts all vertices at their positions and into faces, and cancels the
-  // insertions that are left. Throws nothing.
+  // Before a rebuild or after an exception: puts all vertices at their positions and into faces,
+  // and cancels the insertions that are left. Throws nothing.
   void give_up()
   {
     held.let_go();
@@ -134,17 +134,22 @@ public:
     border.clear();
   }
 
-  void rebuild(Rebuild_reason_2 reason)
+  // Triangulates anew without the points `gone`, and with these and all other points that come.
+  void rebuild(Rebuild_reason_2 reason, const std::vector<Point_id>& gone = {},
+               std::vector<Point_id> coming = {}, std::vector<Point> points = {})
   {
-    held.let_go();
-    editor.arrive();
-    if (relocation.is_under_way())
-      rebuild_with_relocation();
-    else
-      builder.rebuild();
-    m_report->rebuild_reason = state.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
+    relocation.for_each_coming([&](Point_id id, const Point& p) {
+      coming.push_back(id);
+      points.push_back(p);
+    });
+    give_up();
     proof.clear();
     forget_sets();
+    if (gone.empty() && coming.empty()) // nothing throws after these
+      builder.rebuild();
+    else
+      builder.build_with(gone, std::move(coming), std::move(points));
+    m_report->rebuild_reason = state.spans_plane() ? reason : Rebuild_reason_2::DIMENSION;
   }
 
   // PRICES --------------------------------------------------------------------------------------
@@ -222,21 +227,6 @@ private:
     padded.clear();
     border.clear();
     classification.clear(state);
-  }
-
-  void rebuild_with_relocation()
-  {
-    std::vector<Point_id> ids;
-    std::vector<Point> points;
-    relocation.for_each_coming([&](Point_id id, const Point& p) {
-      ids.push_back(id);
-      points.push_back(p);
-    });
-    relocation.give_up();
-    if (ids.empty())
-      builder.rebuild();
-    else
-      builder.build_with({}, std::move(ids), std::move(points));
   }
 
   Update_report_2* m_report = nullptr;
