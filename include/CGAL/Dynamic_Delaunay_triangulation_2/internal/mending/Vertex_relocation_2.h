@@ -84,10 +84,7 @@ public:
   std::size_t number_to_put_in() const { return m_waiting.size() + m_coming_ids.size(); }
 
   // Whether vertices are outside of all faces, or announced points are not inserted yet.
-  bool is_under_way() const
-  {
-    return !m_waiting.empty() || !m_empty.empty() || !m_coming_ids.empty();
-  }
+  bool is_under_way() const { return number_outside() > 0 || !m_coming_ids.empty(); }
 
   // OUT -----------------------------------------------------------------------------------------
 
@@ -163,8 +160,8 @@ public:
       pairs.emplace_back(ids.representative(v), ids.representative(w));
     });
     constexpr std::size_t min_vertices = 3;
-    if (pairs.size() > most || pairs.size() + m_waiting.size() + m_empty.size() + min_vertices >
-                                   m_state.number_of_vertices())
+    if (pairs.size() > most ||
+        pairs.size() + number_outside() + min_vertices > m_state.number_of_vertices())
       return 0;
     m_editor.reserve_for_covered(pairs.size());
     for (const auto& [i, j] : pairs) {
@@ -183,16 +180,17 @@ public:
 
   struct Counts
   {
-    std::size_t relocated = 0, parted = 0, merged = 0, steps = 0;
+    std::size_t relocated = 0, parted = 0, merged = 0;
     std::size_t in_parts = 0; // put in without a call of `legalize`
+    std::size_t steps = 0;    // of walks since its last call
   };
 
   // Puts in the waiting vertices, the points that have parted from their vertices, and the new
   // ones. `most_faces()` must be 0 unless everything is Delaunay. A vertex v replaces up to so many
   // faces if everything is known to stay Delaunay then. Otherwise v is just put into a face, and
   // flips around v have to follow. After each vertex, calls `legalize(v, steps, faces)` with the
-  // steps of all walks so far and the number of replaced faces, 0 in the second case. Stops if it
-  // is false.
+  // steps of walks since the last call and the number of replaced faces, 0 in the second case.
+  // Stops if it is false.
   template <class Most_faces, class Legalize>
   Counts put_in(const std::vector<Point_id>& parted, const Most_faces& most_faces,
                 const Legalize& legalize)
@@ -212,7 +210,7 @@ public:
         continue;
       if (k + 1 < m_numbers.size())
         hint = hint_at(v); // flips may join v with vertices that are far away
-      goes_on = legalize(v, counts.steps, m_replaced);
+      goes_on = legalize(v, std::exchange(counts.steps, std::size_t(0)), m_replaced);
     }
     drop_full_slots();
     if (goes_on)

@@ -39,7 +39,7 @@ public:
     Update_proof_2& proof = m_context.proof;
     if (!m_context.can_hold() || proof.empty())
       return;
-    if (m_context.proof.task().jumper != null_index)
+    if (proof.task().jumper != null_index)
       return take_out_jumper();
     const std::size_t first_flip = m_context.state.changes().new_edges.size();
     if (flips_suffice())

@@ -93,11 +93,9 @@ public:
     proof.set_faces_tile_hull(false);
     budget.allow((parted.size() + m_context.relocation.number_to_put_in()) *
                  Cost_model_2::relocation);
-    std::size_t steps_before = 0;
     const auto most_faces = [&] { return is_delaunay ? m_flips.most_flips() + 1 : 0; };
     const auto end = [&](Vertex_index v, std::size_t steps, std::size_t faces) {
-      budget.spend(Cost_model_2::insertion + Cost_model_2::step_of_a_walk * (steps - steps_before));
-      steps_before = steps;
+      budget.spend(Cost_model_2::insertion + Cost_model_2::step_of_a_walk * steps);
       if (faces > 0)
         m_flips.spend_on_legalizing(faces - 1); // so many flips would do the same
       else {
