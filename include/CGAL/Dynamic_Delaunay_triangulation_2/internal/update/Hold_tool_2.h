@@ -68,7 +68,7 @@ public:
       return;
     if (m_context.budget.is_spent())
       m_context.rebuild(Rebuild_reason_2::BUDGET_SPENT);
-    else if (!are_faces_right || !m_context.held.empty())
+    else if (!are_faces_right || !m_context.can_spare(1))
       m_context.rebuild(Rebuild_reason_2::STUCK);
   }
 
@@ -137,25 +137,23 @@ private:
       m_context.rebuild(Rebuild_reason_2::STUCK);
   }
 
-  // Takes out the vertices that are still held, from a Delaunay triangulation, unless too few
-  // others would stay. They are put in at their targets later. Where one cannot be taken out, as at
-  // a side of a slab if its faces meet images of themselves, it goes to its target, and what that
-  // breaks is opened. Returns whether nothing is held or open.
+  // Takes out the vertices that are still held, from a Delaunay triangulation. They are put in at
+  // their targets later. Where one cannot be taken out, because too few others would stay, or at a
+  // side of a slab if its faces meet images of themselves, it goes to its target, and what that
+  // breaks is opened. Returns whether nothing is open.
   bool take_out_held()
   {
     Update_proof_2& proof = m_context.proof;
-    auto& held = m_context.held;
-    if (!m_context.can_spare(held.size()))
-      return false;
-    m_context.budget.spend(held.size() * Cost_model_2::removal);
-    held.list(m_left);
-    m_context.relocation.take_out_of_delaunay(m_left);
+    m_context.held.list(m_left);
+    m_context.budget.spend(m_left.size() * Cost_model_2::removal);
+    if (m_context.can_spare(m_left.size()))
+      m_context.relocation.take_out_of_delaunay(m_left);
     std::size_t left = 0;
     for (const Vertex_index v : m_left)
-      if (!proof.empty() || !take_out_of_hull(v))
+      if (!proof.empty() || !m_context.can_spare(1) || !take_out_of_hull(v))
         m_left[left++] = v;
     m_left.resize(left);
-    held.let_go();
+    m_context.held.let_go();
     for (const Vertex_index v : m_left)
       proof.open_around(m_context.state, v);
     if (!proof.empty())
