@@ -68,7 +68,11 @@ int main()
                                                         CGAL::With_visitor_2<CGAL::Edge_changes_visitor_2>>>();
 }
 TEXT
+cat >"$work/library_3.cpp" <<'TEXT'
+#include <CGAL/Dynamic_Delaunay_triangulation_3/compiled/compiled_updates.h>
+TEXT
 compiled=-DCGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
+compiled_3=-DCGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_COMPILED
 
 compile() {
   "${CXX:-g++}" -std=c++17 -DNDEBUG -frounding-math "-I$root/include" "$@"
@@ -91,6 +95,9 @@ for level in -O0 -O2; do
   seconds "the library of these, once" "$level" "$compiled" -c "$work/library.cpp" -o "$work/object"
   seconds "the headers, precompiled" "$level" -x c++-header "$work/all.h" -o "$work/all.h.gch"
   seconds "hello_world with these" "$level" -include "$work/all.h" -c "$examples/hello_world.cpp" -o "$work/object"
+  seconds hello_space "$level" -c "$examples/hello_space.cpp" -o "$work/object"
+  seconds "hello_space, compiled updates" "$level" "$compiled_3" -c "$examples/hello_space.cpp" -o "$work/object"
+  seconds "the library in space, once" "$level" "$compiled_3" -c "$work/library_3.cpp" -o "$work/object"
   seconds growing_tissue "$level" -c "$examples/growing_tissue.cpp" -o "$work/object"
   seconds growing_tissue/Cell_neighbors "$level" -c "$examples/growing_tissue/Cell_neighbors.cpp" -o "$work/object"
 done

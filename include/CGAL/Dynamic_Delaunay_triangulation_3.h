@@ -269,6 +269,8 @@ private:
   }
 };
 
+CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_3(Open_space_3)
+
 } // namespace CGAL
 
 #endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_H

@@ -59,6 +59,7 @@ if(NOT MSVC)
   endif()
   add_refusal(periodic_boxes periodic_boxes "there are no boxes" -Wfatal-errors)
   add_refusal(compiled_updates compiled_updates "is for programs that define" -Wfatal-errors)
+  add_refusal(compiled_updates_3 compiled_updates_3 "is for programs that define" -Wfatal-errors)
   add_refusal(rounded_predicates rounded_predicates "nothing could be certified")
   # Compilers go on after the first error, and after many.
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -22,6 +22,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/policies/Dynamic_triangulation_settings_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/views/Dynamic_frame_3.h>
+#ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_COMPILED
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#endif
 #include <CGAL/iterator.h>
 #include <CGAL/tags.h>
 
@@ -60,6 +63,34 @@ struct Chosen_types_3 : Options_check_3<Options...>
 };
 
 } // namespace Dynamic_Delaunay_triangulations_3::internal
+
+// Compiles what updates and checkpoints in a space need, with the usual kernel, whatever the policy
+// and the visitor are. With `extern` as the first argument, leaves that to another source file. To
+// be used in namespace CGAL.
+#define CGAL_DYNAMIC_DELAUNAY_COMPILE_3(prefix, Space_3, tag)                                      \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_IN_SPACE_3(                                                        \
+      prefix, Dynamic_Delaunay_triangulations_3::internal::Space_3<                                \
+                  Exact_predicates_inexact_constructions_kernel, tag>)
+#define CGAL_DYNAMIC_DELAUNAY_COMPILE_IN_SPACE_3(prefix, ...)                                      \
+  prefix template class Dynamic_Delaunay_triangulations_3::internal::Update_3<__VA_ARGS__>;        \
+  prefix template class Dynamic_Delaunay_triangulations_3::internal::Simplex_changes_3<            \
+      typename __VA_ARGS__::State>;                                                                \
+  prefix template class Dynamic_Delaunay_triangulations_3::internal::Checkpoint_writer_3<          \
+      typename __VA_ARGS__::State>;                                                                \
+  prefix template class Dynamic_Delaunay_triangulations_3::internal::Checkpoint_reader_3<          \
+      typename __VA_ARGS__::State>
+
+// Says of a space that all these are compiled elsewhere, where that is so.
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_COMPILED
+#define CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_3(Space_3)
+#elif !defined(CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_COMPILED_PARALLEL)
+#define CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_3(Space_3)                                        \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_3(extern, Space_3, Sequential_tag);
+#else
+#define CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_3(Space_3)                                        \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_3(extern, Space_3, Sequential_tag);                                \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE_3(extern, Space_3, Parallel_tag);
+#endif
 
 /*!
 \ingroup PkgDynamicDelaunayTriangulation2Ref

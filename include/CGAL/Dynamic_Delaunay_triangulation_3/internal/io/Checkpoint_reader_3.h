@@ -44,20 +44,7 @@ public:
   {
   }
 
-  void read()
-  {
-    Dynamic_Delaunay_triangulations_2::internal::check_kind_of_coordinates<FT>(m_file);
-    m_state.positions_are_exact = m_file.flag_entry("positions", "exact", "rounded");
-    if (is_three_doubles<Point> && !m_state.positions_are_exact)
-      m_file.refuse("doubles are exact, and cannot be rounded");
-    m_dimension = m_file.number_entry("dimension", -1, 3);
-    m_state.spans_space = m_dimension == 3;
-    read_points();
-    if (m_state.spans_space)
-      read_cells();
-    else
-      triangulate_plane();
-  }
+  void read();
 
   // POINTS ----------------------------------------------------------------------------------------
 
@@ -198,6 +185,23 @@ private:
   std::vector<Point> m_points; // of vertices, from the first one on
   std::vector<Place> m_places; // of the same
 };
+
+// Not inline: see `Update_3`.
+template <class State>
+void Checkpoint_reader_3<State>::read()
+{
+  Dynamic_Delaunay_triangulations_2::internal::check_kind_of_coordinates<FT>(m_file);
+  m_state.positions_are_exact = m_file.flag_entry("positions", "exact", "rounded");
+  if (is_three_doubles<Point> && !m_state.positions_are_exact)
+    m_file.refuse("doubles are exact, and cannot be rounded");
+  m_dimension = m_file.number_entry("dimension", -1, 3);
+  m_state.spans_space = m_dimension == 3;
+  read_points();
+  if (m_state.spans_space)
+    read_cells();
+  else
+    triangulate_plane();
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 

@@ -45,27 +45,7 @@ public:
   {
   }
 
-  void write()
-  {
-    const Periodic_cell_3& cell = m_state.torus.cell();
-    const Torus_3::Basis& basis = m_state.torus.basis();
-    if (cell.is_slab()) {
-      m_file.line("slab", cell.a(), cell.b());
-      m_file.line("basis", basis[0][0], basis[0][1], basis[1][0], basis[1][1]);
-    } else {
-      m_file.line("cell", cell.a(), cell.b(), cell.c());
-      m_file.line("basis", basis);
-    }
-    m_file.line("reach", m_state.reach());
-    Dynamic_Delaunay_triangulations_2::internal::write_points(
-        m_file, m_state.ids,
-        [this](Vertex_index v) {
-          const Multiples_3& m = m_state.positions.multiples(v);
-          return std::make_tuple(coordinates(m_state.point(v)), m[0], m[1], m[2]);
-        },
-        [](const Point& p) { return coordinates(p); });
-    write_cells();
-  }
+  void write();
 
 private:
   static std::array<double, 3> coordinates(const Point& p) { return {p.x(), p.y(), p.z()}; }
@@ -99,6 +79,30 @@ private:
   Checkpoint_output_2& m_file;
 };
 
+// Not inline: see `Update_3`.
+template <class Traits, class ConcurrencyTag>
+void Checkpoint_writer_3<Torus_state_3<Traits, ConcurrencyTag>>::write()
+{
+  const Periodic_cell_3& cell = m_state.torus.cell();
+  const Torus_3::Basis& basis = m_state.torus.basis();
+  if (cell.is_slab()) {
+    m_file.line("slab", cell.a(), cell.b());
+    m_file.line("basis", basis[0][0], basis[0][1], basis[1][0], basis[1][1]);
+  } else {
+    m_file.line("cell", cell.a(), cell.b(), cell.c());
+    m_file.line("basis", basis);
+  }
+  m_file.line("reach", m_state.reach());
+  Dynamic_Delaunay_triangulations_2::internal::write_points(
+      m_file, m_state.ids,
+      [this](Vertex_index v) {
+        const Multiples_3& m = m_state.positions.multiples(v);
+        return std::make_tuple(coordinates(m_state.point(v)), m[0], m[1], m[2]);
+      },
+      [](const Point& p) { return coordinates(p); });
+  write_cells();
+}
+
 // Reads the same into a state without points. What it throws leaves that unusable.
 template <class Traits, class ConcurrencyTag>
 class Checkpoint_reader_3<Torus_state_3<Traits, ConcurrencyTag>>
@@ -114,19 +118,7 @@ public:
   {
   }
 
-  void read()
-  {
-    m_state.torus = read_torus();
-    m_file.begin_entry("reach");
-    const double largest = m_file.finite("the largest coordinate");
-    const double sum = m_file.finite("the sum of multiples");
-    m_file.end_line();
-    read_points();
-    if (!m_state.set_reach({largest, sum}))
-      m_file.refuse("the numbers after \"reach\", above, are too small for these points");
-    read_cells();
-    m_state.spans_space = m_state.number_of_vertices() > 0;
-  }
+  void read();
 
   // POINTS ----------------------------------------------------------------------------------------
 
@@ -328,6 +320,22 @@ private:
   std::vector<Point> m_points;         // of vertices, from the first one on
   std::vector<Torus_place_3> m_places; // of the same
 };
+
+// Not inline: see `Update_3`.
+template <class Traits, class ConcurrencyTag>
+void Checkpoint_reader_3<Torus_state_3<Traits, ConcurrencyTag>>::read()
+{
+  m_state.torus = read_torus();
+  m_file.begin_entry("reach");
+  const double largest = m_file.finite("the largest coordinate");
+  const double sum = m_file.finite("the sum of multiples");
+  m_file.end_line();
+  read_points();
+  if (!m_state.set_reach({largest, sum}))
+    m_file.refuse("the numbers after \"reach\", above, are too small for these points");
+  read_cells();
+  m_state.spans_space = m_state.number_of_vertices() > 0;
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 

@@ -37,17 +37,7 @@ public:
   {
   }
 
-  void write()
-  {
-    m_file.line("coordinates", Coordinate::kind);
-    m_file.line("positions", m_state.positions_are_exact ? "exact" : "rounded");
-    m_file.line("dimension", m_state.dimension());
-    Dynamic_Delaunay_triangulations_2::internal::write_points(
-        m_file, m_state.ids, [this](Vertex_index v) { return coordinates(v); },
-        [](const Point& p) { return coordinates(p); });
-    if (m_state.spans_space)
-      write_cells();
-  }
+  void write();
 
 private:
   static auto coordinates(const Point& p)
@@ -86,6 +76,20 @@ private:
   const State& m_state;
   Checkpoint_output_2& m_file;
 };
+
+// Not inline: see `Update_3`.
+template <class State>
+void Checkpoint_writer_3<State>::write()
+{
+  m_file.line("coordinates", Coordinate::kind);
+  m_file.line("positions", m_state.positions_are_exact ? "exact" : "rounded");
+  m_file.line("dimension", m_state.dimension());
+  Dynamic_Delaunay_triangulations_2::internal::write_points(
+      m_file, m_state.ids, [this](Vertex_index v) { return coordinates(v); },
+      [](const Point& p) { return coordinates(p); });
+  if (m_state.spans_space)
+    write_cells();
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 

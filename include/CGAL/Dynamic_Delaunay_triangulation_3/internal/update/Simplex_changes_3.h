@@ -107,54 +107,16 @@ public:
   using Simplices = Simplices_3<Names>;
 
   // To be called before a change.
-  void begin(State& state)
-  {
-    if (m_is_open)
-      return;
-    m_names.begin(state);
-    m_before.clear();
-    Names::append_flat(state, m_before);
-    state.arrays.history().begin();
-    m_is_open = true;
-  }
+  void begin(State& state);
 
   // To be called after it. If it throws, it can be called again.
-  void end(State& state)
-  {
-    state.arrays.history().finish();
-    state.arrays.history().for_each_former(
-        [&](const Sites& sites) { append_former(state, sites); });
-    m_now.clear();
-    if (state.arrays.history().are_given_up())
-      append_all(state, m_now);
-    else
-      append_changed(state);
-    compare();
-    state.arrays.history().end();
-    m_is_open = false;
-  }
+  void end(State& state);
   // To be called when all that there is to tell was told.
   void close(State& state) { m_names.end(state); }
 
   // Compares a state that goes, whose `changes` may be those of a call that has failed, with
   // another one.
-  void compare(State& before, const Simplex_changes_3& changes, State& now)
-  {
-    m_before.clear();
-    if (changes.m_is_open) {
-      m_before = changes.m_before; // flat ones
-      m_names = changes.m_names;
-      Names::hand_over(before, now);
-      before.arrays.history().finish();
-      before.arrays.for_each_former_of_all(
-          [&](const Sites& sites) { append_former(before, sites); });
-    } else {
-      append_all(before, m_before);
-    }
-    m_now.clear();
-    append_all(now, m_now);
-    compare();
-  }
+  void compare(State& before, const Simplex_changes_3& changes, State& now);
 
   const Simplices& removed() const { return m_removed; }
   const Simplices& created() const { return m_created; }
@@ -198,6 +160,52 @@ private:
   Names m_names; // when it began
   Simplices m_before, m_now, m_removed, m_created;
 };
+
+// Not inline: see `Update_3`.
+template <class State>
+void Simplex_changes_3<State>::begin(State& state)
+{
+  if (m_is_open)
+    return;
+  m_names.begin(state);
+  m_before.clear();
+  Names::append_flat(state, m_before);
+  state.arrays.history().begin();
+  m_is_open = true;
+}
+
+template <class State>
+void Simplex_changes_3<State>::end(State& state)
+{
+  state.arrays.history().finish();
+  state.arrays.history().for_each_former([&](const Sites& sites) { append_former(state, sites); });
+  m_now.clear();
+  if (state.arrays.history().are_given_up())
+    append_all(state, m_now);
+  else
+    append_changed(state);
+  compare();
+  state.arrays.history().end();
+  m_is_open = false;
+}
+
+template <class State>
+void Simplex_changes_3<State>::compare(State& before, const Simplex_changes_3& changes, State& now)
+{
+  m_before.clear();
+  if (changes.m_is_open) {
+    m_before = changes.m_before; // flat ones
+    m_names = changes.m_names;
+    Names::hand_over(before, now);
+    before.arrays.history().finish();
+    before.arrays.for_each_former_of_all([&](const Sites& sites) { append_former(before, sites); });
+  } else {
+    append_all(before, m_before);
+  }
+  m_now.clear();
+  append_all(now, m_now);
+  compare();
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 

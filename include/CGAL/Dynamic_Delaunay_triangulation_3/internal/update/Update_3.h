@@ -69,28 +69,14 @@ public:
   typename State::Staged& staged() { return m_other; }
 
   // Proves the triangulation again. If that fails, the next call rebuilds.
-  bool certify()
-  {
-    m_is_certified = m_is_certified && m_proof.holds(m_unproved);
-    return m_is_certified;
-  }
+  bool certify();
 
   // What is wrong with the triangulation, or null.
-  const char* problem() const
-  {
-    if (!m_is_certified && !m_state.spans_space)
-      return "there are no cells: an exception has ended the last call";
-    return m_proof.problem();
-  }
+  const char* problem() const;
 
   // Reserves the memory in which a change removes points. If it throws, nothing has changed; after
   // it, run() removes all points that go, or throws nothing.
-  void reserve(const Change_3<Point>& change)
-  {
-    m_state.ids.reserve_for_removals(change.gone.size() + change.coming.size());
-    m_state.ids.reserve_for_covered(change.coming.size() + change.moved.size());
-    m_waiting.prepare(change);
-  }
+  void reserve(const Change_3<Point>& change);
 
   // The present frame, between calls.
   Frame frame() const { return Frame(m_state, m_other.positions); }
@@ -98,31 +84,7 @@ public:
   // If memory does not suffice to begin, or the policy throws in a frame of points that stay,
   // nothing changes. If either happens later, there are no cells, each point is where it was or
   // where it belongs, and the next call rebuilds.
-  Update_report_3 run(const Change_3<Point>& change, const Chosen_rebuilds& chosen = {})
-  {
-    reserve(change);
-    const bool is_chosen = is_choice(change, m_is_certified) && change.positions == nullptr &&
-                           is_chosen_before(chosen);
-    m_report = Update_report_3();
-    m_flips.clear();
-    m_held.forget();
-    m_waiting.clear();
-    const bool was_certified = std::exchange(m_is_certified, false);
-    try {
-      run_phases(change, is_chosen, was_certified, chosen);
-    } catch (...) {
-      m_held.bring_to_targets();
-      m_state.drop_cells();
-      throw;
-    }
-    m_report.flips += m_flips.number_of_flips();
-    m_flips.clear();
-    m_unproved = Unproved_cells_3();
-    m_bad = std::vector<Cell_index>();
-    m_open = std::vector<Cell_index>();
-    m_report.certified = m_is_certified = true;
-    return m_report;
-  }
+  Update_report_3 run(const Change_3<Point>& change, const Chosen_rebuilds& chosen = {});
 
 private:
   void run_phases(const Change_3<Point>& change, bool is_chosen, bool was_certified,
@@ -365,6 +327,58 @@ private:
   Unproved_cells_3 m_unproved;
   std::vector<Cell_index> m_bad, m_open; // of the unproved ones: not positive, positive
 };
+
+// Defined outside of the class, so that they are not inline: where they are declared extern,
+// compilers leave out all that they call, which is most of the package (`compiled_updates.h`).
+template <class Space>
+bool Update_3<Space>::certify()
+{
+  m_is_certified = m_is_certified && m_proof.holds(m_unproved);
+  return m_is_certified;
+}
+
+template <class Space>
+const char* Update_3<Space>::problem() const
+{
+  if (!m_is_certified && !m_state.spans_space)
+    return "there are no cells: an exception has ended the last call";
+  return m_proof.problem();
+}
+
+template <class Space>
+void Update_3<Space>::reserve(const Change_3<Point>& change)
+{
+  m_state.ids.reserve_for_removals(change.gone.size() + change.coming.size());
+  m_state.ids.reserve_for_covered(change.coming.size() + change.moved.size());
+  m_waiting.prepare(change);
+}
+
+template <class Space>
+Update_report_3 Update_3<Space>::run(const Change_3<Point>& change, const Chosen_rebuilds& chosen)
+{
+  reserve(change);
+  const bool is_chosen =
+      is_choice(change, m_is_certified) && change.positions == nullptr && is_chosen_before(chosen);
+  m_report = Update_report_3();
+  m_flips.clear();
+  m_held.forget();
+  m_waiting.clear();
+  const bool was_certified = std::exchange(m_is_certified, false);
+  try {
+    run_phases(change, is_chosen, was_certified, chosen);
+  } catch (...) {
+    m_held.bring_to_targets();
+    m_state.drop_cells();
+    throw;
+  }
+  m_report.flips += m_flips.number_of_flips();
+  m_flips.clear();
+  m_unproved = Unproved_cells_3();
+  m_bad = std::vector<Cell_index>();
+  m_open = std::vector<Cell_index>();
+  m_report.certified = m_is_certified = true;
+  return m_report;
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 
