@@ -120,16 +120,15 @@ std::array<Array, 2> arrays_of(const std::vector<Changed_edge<Id, Shift>>& edges
 template <class Id, class Visitor, class Shown_id>
 std::vector<Array> change_arrays(const Visitor& visitor, const Shown_id& shown_id)
 {
-  if constexpr (records_changes<Visitor>) {
-    const auto created = changed_edges<Id>(visitor.created_edges(), shown_id),
-               removed = changed_edges<Id>(visitor.removed_edges(), shown_id);
-    auto [created_ids, created_shifts] = arrays_of(without(created, removed));
-    auto [removed_ids, removed_shifts] = arrays_of(without(removed, created));
-    return {std::move(created_ids), std::move(removed_ids), std::move(created_shifts),
-            std::move(removed_shifts)};
-  } else {
+  if (!visitor.is_listening()) {
     throw std::invalid_argument("changed edges are recorded only with changes=True");
   }
+  const auto created = changed_edges<Id>(visitor.created_edges(), shown_id),
+             removed = changed_edges<Id>(visitor.removed_edges(), shown_id);
+  auto [created_ids, created_shifts] = arrays_of(without(created, removed));
+  auto [removed_ids, removed_shifts] = arrays_of(without(removed, created));
+  return {std::move(created_ids), std::move(removed_ids), std::move(created_shifts),
+          std::move(removed_shifts)};
 }
 
 } // namespace bindings

@@ -101,27 +101,25 @@ protected:
 
   using Leaving = std::vector<Leaving_point>;
 
-  static constexpr bool is_recording =
-      records_changes<std::decay_t<decltype(std::declval<Owner&>().visitor())>>;
+  bool is_recording() const { return m_owner.visitor().is_listening(); }
 
   // Makes a change, of which a visitor that records changes has to know beforehand who leaves.
   template <class Find_leaving, class Change>
   auto with_leaving(const Find_leaving& find_leaving, const Change& change)
   {
-    if constexpr (is_recording) {
-      const Leaving leaving = find_leaving();
-      m_owner.visitor().expect(leaving);
-      try {
-        return change();
-      } catch (...) {
-        m_owner.visitor().expect({});
-        if (!leaving.empty() && m_owner.has(leaving.front().user_id)) {
-          m_owner.visitor().clear(); // all was taken back
-        }
-        throw;
-      }
-    } else {
+    if (!is_recording()) {
       return change();
+    }
+    const Leaving leaving = find_leaving();
+    m_owner.visitor().expect(leaving);
+    try {
+      return change();
+    } catch (...) {
+      m_owner.visitor().expect({});
+      if (!leaving.empty() && m_owner.has(leaving.front().user_id)) {
+        m_owner.visitor().clear(); // all was taken back
+      }
+      throw;
     }
   }
 
@@ -156,10 +154,8 @@ private:
   // Of a point that is there, or has left in the last call.
   std::int64_t user_id_then(std::size_t id) const
   {
-    if constexpr (is_recording) {
-      if (m_owner.visitor().is_name(id)) {
-        return m_owner.visitor().user_id(id);
-      }
+    if (m_owner.visitor().is_name(id)) {
+      return m_owner.visitor().user_id(id);
     }
     return m_owner.user_id(id);
   }

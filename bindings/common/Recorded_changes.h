@@ -27,10 +27,19 @@ struct Leaving_point
 // A visitor that lists changed edges: those of the last call alone. A point that comes to a
 // population in that call may get the id of one that leaves it. So the latter gets another name
 // first, as if it had been called so before the call.
+//
+// Whether it listens is said when it is made: with a type of its own, triangulations that record
+// nothing would double what compilers have to do.
 template <class Visitor>
 class Recorded_changes : public Visitor
 {
 public:
+  explicit Recorded_changes(bool is_listening = false)
+    : m_is_listening(is_listening)
+  {
+  }
+  bool is_listening() const { return m_is_listening; }
+
   // To be called before the call in which these points leave.
   void expect(std::vector<Leaving_point> leaving) { m_expected = std::move(leaving); }
 
@@ -156,14 +165,10 @@ private:
     Visitor::after_edge_creation(dt, i, j, shift);
   }
 
+  bool m_is_listening;
   std::vector<Leaving_point> m_expected, m_left;
   bool m_is_in_update = false, m_is_told = false;
 };
-
-template <class Visitor>
-constexpr bool records_changes = false;
-template <class Visitor>
-constexpr bool records_changes<Recorded_changes<Visitor>> = true;
 
 } // namespace bindings
 

@@ -10,7 +10,6 @@
 #include "scenario_runner/Repairs_and_policies.h"
 #include "scenario_runner/Threads.h"
 
-#include <CGAL/Default.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
@@ -74,7 +73,6 @@ struct All_kinds
 {
   static constexpr bool has_populations = true;
   static constexpr bool has_extras = true;
-  static constexpr bool can_go_without_visitor = true;
 };
 
 template <class Space, class Kinds, class Dynamic>
@@ -90,25 +88,18 @@ std::unique_ptr<Subject> make_subject(const typename Dynamic::Settings& its_sett
   return std::make_unique<Subject_of<Dynamic, Kinds, false>>(std::move(triangulation));
 }
 
-// Without a visitor if it has nothing to record, since each flip would tell it.
 template <class Space, class Kinds = All_kinds, class Classifier, class Repair, class Policy>
 std::unique_ptr<Subject> make_in(const Classifier& classifier, const Repair& repair,
                                  const Policy& policy, const Settings& settings)
 {
-  const auto make = [&](auto visitor) {
-    using Dynamic = typename Space::template Dynamic<Classifier, Repair, Policy, decltype(visitor)>;
-    typename Dynamic::Settings its_settings;
-    its_settings.classifier = classifier;
-    its_settings.repair = repair;
-    its_settings.policy = policy;
-    return make_subject<Space, Kinds, Dynamic>(its_settings, settings);
-  };
-  if constexpr (Kinds::can_go_without_visitor) {
-    if (!settings.records_changes) {
-      return make(CGAL::Default());
-    }
-  }
-  return make(Recorded_changes<typename Space::Edge_changes>());
+  using Visitor = Recorded_changes<typename Space::Edge_changes>;
+  using Dynamic = typename Space::template Dynamic<Classifier, Repair, Policy, Visitor>;
+  typename Dynamic::Settings its_settings;
+  its_settings.classifier = classifier;
+  its_settings.repair = repair;
+  its_settings.policy = policy;
+  its_settings.visitor = Visitor(settings.records_changes);
+  return make_subject<Space, Kinds, Dynamic>(its_settings, settings);
 }
 
 // Repair and policy by the names of run_scenario.

@@ -51,9 +51,8 @@ struct Triangulation_types_2<Dynamic_Delaunay_triangulation_2<Traits, ChosenClas
   using Geom_traits = Traits;
   using Tds = typename Option_2<With_data_structure_2,
                                 Indexed_triangulation_data_structure_2<Traits>, Options...>::type;
-  using State =
-      Triangulation_state_2<Plane_space_2<Traits, Tds>, Triangulation_types_2::is_visitor_heard,
-                            typename Triangulation_types_2::Concurrency_tag>;
+  using State = Triangulation_state_2<Plane_space_2<Traits, Tds>,
+                                      typename Triangulation_types_2::Concurrency_tag>;
   using Input = Input_frame_2<State>;
   using Checkpoint = Checkpoint_plane_2<State>;
   static constexpr std::string_view checkpoint_subject = "Dynamic_Delaunay_triangulation_2";

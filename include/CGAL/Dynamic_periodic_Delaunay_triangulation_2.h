@@ -51,7 +51,6 @@ struct Triangulation_types_2<
 
   using Geom_traits = Kernel;
   using State = Triangulation_state_2<Torus_space_2<typename Kernel::Point_2>,
-                                      Triangulation_types_2::is_visitor_heard,
                                       typename Triangulation_types_2::Concurrency_tag>;
   using Input = Periodic_input_2<State>;
   using Checkpoint = Checkpoint_torus_2<State>;

@@ -277,6 +277,26 @@ TEST(Visitors_in_space, may_throw_after_an_update)
   ASSERT_NO_FATAL_FAILURE(expect_told(dt));
 }
 
+TEST(Visitors_in_space, that_do_not_listen_are_told_of_calls_alone)
+{
+  struct Deaf : Ledger
+  {
+    static bool is_listening() { return false; }
+  };
+  using Dynamic = CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick, CGAL::With_visitor_2<Deaf>>;
+  Points points = random_points(100);
+  Dynamic dt(points);
+  for (Point& p : points)
+    p = Point(p.x() + 0.2 * p.y(), p.y() - 0.2 * p.z(), p.z());
+  EXPECT_GT(dt.update(points).flips, 0u);
+  std::stringstream checkpoint;
+  dt.write_checkpoint(checkpoint);
+  dt.read_checkpoint(checkpoint);
+  EXPECT_EQ(dt.visitor().begun, 3u);
+  EXPECT_EQ(dt.visitor().ended, 3u);
+  EXPECT_EQ(dt.visitor().told, 0u);
+}
+
 TEST(Edge_changes_in_space, are_the_difference_since_they_were_cleared)
 {
   using Listed = Watched_by<CGAL::Edge_changes_visitor_3>;

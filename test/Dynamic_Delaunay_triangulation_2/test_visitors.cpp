@@ -14,6 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Rebuild_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/repairs/Relocation_repair_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
+#include <CGAL/Dynamic_periodic_Delaunay_triangulation_2.h>
 #include <CGAL/Dynamic_population_2.h>
 
 #include <algorithm>
@@ -22,6 +23,7 @@
 #include <map>
 #include <set>
 #include <sstream>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -325,6 +327,80 @@ struct Throwing : Interrupting_visitor
     hear();
   }
 };
+
+// Counts what it is told of, in the plane and in periodic space.
+class Counter : public CGAL::Delaunay_update_visitor_base_2
+{
+public:
+  explicit Counter(bool is_listening = true)
+    : m_is_listening(is_listening)
+  {
+  }
+  bool is_listening() const { return m_is_listening; }
+
+  template <class Dynamic>
+  void before_update(const Dynamic&)
+  {
+    ++calls;
+  }
+  template <class Dynamic>
+  void after_update(const Dynamic&, const CGAL::Update_report_2&)
+  {
+    ++calls;
+  }
+  template <class Dynamic, class Face>
+  void after_face_creation(const Dynamic&, const Face&)
+  {
+    ++changes;
+  }
+  template <class Dynamic, class Edge>
+  void before_flip(const Dynamic&, const Edge&)
+  {
+    ++changes;
+  }
+  template <class Dynamic, class... Edge>
+  void after_edge_creation(const Dynamic&, const Edge&...)
+  {
+    ++changes;
+  }
+
+  int calls = 0, changes = 0;
+
+private:
+  bool m_is_listening;
+};
+
+template <class Dynamic, class... Cell>
+void expect_counts(const Cell&... cell)
+{
+  Cloud<Epick> cloud(23);
+  Points points = cloud.uniform(100);
+  typename Dynamic::Settings listening, deaf;
+  deaf.visitor = Counter(false);
+  Dynamic heard(points, cell..., listening), unheard(points, cell..., deaf);
+  cloud.shake(points, 0.02);
+  const CGAL::Update_report_2 report = heard.update(points);
+  EXPECT_GT(report.flips, 0u);
+  EXPECT_EQ(unheard.update(points).flips, report.flips);
+  std::stringstream checkpoint;
+  heard.write_checkpoint(checkpoint);
+  const std::string written = checkpoint.str();
+  unheard.read_checkpoint(checkpoint);
+  const int changes = heard.visitor().changes;
+  std::istringstream in(written);
+  heard.read_checkpoint(in);
+  EXPECT_GT(heard.visitor().changes, changes);
+  EXPECT_EQ(heard.visitor().calls, unheard.visitor().calls);
+  EXPECT_EQ(unheard.visitor().changes, 0);
+}
+
+TEST(Visitor, that_does_not_listen_is_told_of_calls_alone)
+{
+  using Counted = CGAL::With_visitor_2<Counter>;
+  expect_counts<CGAL::Dynamic_Delaunay_triangulation_2<Epick, CGAL::Default, Counted>>();
+  expect_counts<CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick, CGAL::Default, Counted>>(
+      CGAL::Periodic_cell_2(2, 0, 0, 2));
+}
 
 TEST(Visitor_that_throws, leaves_all_as_it_was_where_nothing_has_changed_yet)
 {

@@ -42,22 +42,23 @@ public:
   virtual std::vector<Array> voronoi_cells() const = 0;
 };
 
-template <class Visitor>
+using Periodic_changes_3 = Recorded_changes<CGAL::Periodic_edge_changes_visitor_3>;
 using Dynamic_periodic_3 = CGAL::Dynamic_periodic_Delaunay_triangulation_3<
     CGAL::Exact_predicates_inexact_constructions_kernel,
-    CGAL::With_concurrency_2<run::Concurrency_tag>, CGAL::With_visitor_2<Visitor>>;
+    CGAL::With_concurrency_2<run::Concurrency_tag>, CGAL::With_visitor_2<Periodic_changes_3>>;
 
-template <class Dynamic, bool has_user_ids>
-class Periodic_subject_of_3 : public Space_subject_3<Periodic_subject_3, Dynamic, has_user_ids>
+template <bool has_user_ids>
+class Periodic_subject_of_3
+  : public Space_subject_3<Periodic_subject_3, Dynamic_periodic_3, has_user_ids>
 {
-  using Base = Space_subject_3<Periodic_subject_3, Dynamic, has_user_ids>;
+  using Base = Space_subject_3<Periodic_subject_3, Dynamic_periodic_3, has_user_ids>;
   using Base::certified, Base::dt, Base::rows;
 
 public:
   using typename Base::Its_cell, typename Base::Report;
 
-  explicit Periodic_subject_of_3(const Its_cell& cell)
-    : Base(Dynamic(cell))
+  Periodic_subject_of_3(const Its_cell& cell, const Dynamic_periodic_3::Settings& settings)
+    : Base(Dynamic_periodic_3(cell, settings))
   {
   }
   std::unique_ptr<Periodic_subject_3> copy() const override
@@ -93,21 +94,16 @@ public:
   }
 };
 
-// Without points; and without a visitor if it has nothing to record.
+// Without points.
 inline std::unique_ptr<Periodic_subject_3>
 make_periodic_subject_3(const CGAL::Periodic_cell_3& cell, bool records_changes, bool is_population)
 {
-  const auto make = [&](auto visitor) -> std::unique_ptr<Periodic_subject_3> {
-    using Dynamic = Dynamic_periodic_3<decltype(visitor)>;
-    if (is_population) {
-      return std::make_unique<Periodic_subject_of_3<Dynamic, true>>(cell);
-    }
-    return std::make_unique<Periodic_subject_of_3<Dynamic, false>>(cell);
-  };
-  if (records_changes) {
-    return make(Recorded_changes<CGAL::Periodic_edge_changes_visitor_3>());
+  Dynamic_periodic_3::Settings settings;
+  settings.visitor = Periodic_changes_3(records_changes);
+  if (is_population) {
+    return std::make_unique<Periodic_subject_of_3<true>>(cell, settings);
   }
-  return make(CGAL::Delaunay_update_visitor_base_3());
+  return std::make_unique<Periodic_subject_of_3<false>>(cell, settings);
 }
 
 } // namespace python

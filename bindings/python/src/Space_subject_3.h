@@ -171,14 +171,7 @@ protected:
 
 private:
   // Whether the last call has failed before a visitor was told of all that it has changed.
-  bool is_untold() const
-  {
-    if constexpr (Base::is_recording) {
-      return owner().visitor().is_in_update();
-    } else {
-      return false;
-    }
-  }
+  bool is_untold() const { return Base::is_recording() && owner().visitor().is_in_update(); }
 
   // About how many images of a point are in a sphere; in a slab, of one in its middle plane.
   double images_within(double radius) const

@@ -49,23 +49,23 @@ public:
   }
 };
 
-template <class Visitor>
+using Changes_3 = Recorded_changes<Edges_alone_visitor_3>;
 using Dynamic_3 =
     CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Exact_predicates_inexact_constructions_kernel,
                                            CGAL::With_concurrency_2<run::Concurrency_tag>,
-                                           CGAL::With_visitor_2<Visitor>>;
+                                           CGAL::With_visitor_2<Changes_3>>;
 
-template <class Dynamic, bool has_user_ids>
-class Subject_of_3 : public Space_subject_3<Subject_3, Dynamic, has_user_ids>
+template <bool has_user_ids>
+class Subject_of_3 : public Space_subject_3<Subject_3, Dynamic_3, has_user_ids>
 {
-  using Base = Space_subject_3<Subject_3, Dynamic, has_user_ids>;
+  using Base = Space_subject_3<Subject_3, Dynamic_3, has_user_ids>;
   using Base::certified, Base::dt, Base::rows;
 
 public:
   using typename Base::Report;
 
-  Subject_of_3()
-    : Base(Dynamic())
+  explicit Subject_of_3(const Dynamic_3::Settings& settings)
+    : Base(Dynamic_3(settings))
   {
   }
   std::unique_ptr<Subject_3> copy() const override { return std::make_unique<Subject_of_3>(*this); }
@@ -97,20 +97,15 @@ public:
   }
 };
 
-// Without points; and without a visitor if it has nothing to record.
+// Without points.
 inline std::unique_ptr<Subject_3> make_subject_3(bool records_changes, bool is_population)
 {
-  const auto make = [&](auto visitor) -> std::unique_ptr<Subject_3> {
-    using Dynamic = Dynamic_3<decltype(visitor)>;
-    if (is_population) {
-      return std::make_unique<Subject_of_3<Dynamic, true>>();
-    }
-    return std::make_unique<Subject_of_3<Dynamic, false>>();
-  };
-  if (records_changes) {
-    return make(Recorded_changes<Edges_alone_visitor_3>());
+  Dynamic_3::Settings settings;
+  settings.visitor = Changes_3(records_changes);
+  if (is_population) {
+    return std::make_unique<Subject_of_3<true>>(settings);
   }
-  return make(CGAL::Delaunay_update_visitor_base_3());
+  return std::make_unique<Subject_of_3<false>>(settings);
 }
 
 } // namespace python

@@ -19,7 +19,6 @@ struct Few_kinds
 {
   static constexpr bool has_populations = false;
   static constexpr bool has_extras = false;
-  static constexpr bool can_go_without_visitor = false;
 };
 
 // Without points. Each module has its own: of the plane or of periodic space with the usual method,

@@ -9,6 +9,11 @@ A visitor is called for every change, as the visitors of CGAL's kinetic data str
 can keep data of faces, edges and vertices correct. `CGAL::Delaunay_update_visitor_base_2` has all
 functions, and is a base for visitors that need only some of them.
 
+A visitor may have a member `bool is_listening() const` as well, which is asked in each call. While
+it is false, only `before_update()` and `after_update()` are called, and the rest costs nothing: so
+a program that need not know all changes can have the same type as one that must. Its answer may
+change between calls, but not after one that has failed, until another one has succeeded.
+
 The calls that may change the triangulation are construction from points, `update()`, `move()`,
 `insert()`, `remove()`, `mend()` if there is something to repair, and `read_checkpoint()`. Each of
 them begins with `before_update()` and ends with `after_update()`. A frame of a

@@ -8,7 +8,8 @@
 A visitor of a `CGAL::Dynamic_periodic_Delaunay_triangulation_2` is told of all edges that come and
 go, with their shifts, and of all shifts that are numbered anew. So it can keep a list of all edges
 without asking the triangulation. `CGAL::Delaunay_update_visitor_base_2` has all functions, and is
-a base for visitors that need only some of them.
+a base for visitors that need only some of them. It may have a member `bool is_listening() const`,
+as `DelaunayUpdateVisitor_2` says.
 
 Every call that can change the triangulation begins with `before_update()`. When everything is done,
 the visitor is told what has happened, in the order in which it happened, and at last

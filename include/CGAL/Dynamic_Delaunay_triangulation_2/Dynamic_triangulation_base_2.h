@@ -9,6 +9,7 @@
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/is_listening.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Triangulation_access.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_2.h>
@@ -90,11 +91,7 @@ struct Chosen_types_2 : Options_check_2<Options...>
   using Visitor =
       typename Option_2<With_visitor_2, Delaunay_update_visitor_base_2, Options...>::type;
   using Concurrency_tag = typename Option_2<With_concurrency_2, Sequential_tag, Options...>::type;
-  static constexpr bool is_visitor_heard = !std::is_same_v<Visitor, Delaunay_update_visitor_base_2>;
 };
-
-// Stands for any visitor but the default one.
-struct Heard_visitor_2;
 
 } // namespace internal
 } // namespace Dynamic_Delaunay_triangulations_2
@@ -120,33 +117,24 @@ struct Heard_visitor_2;
       const Dynamic_Delaunay_triangulations_2::internal::Update_choices_2<                         \
           typename __VA_ARGS__::State>&)
 
-// The kernels that `compiled_updates.h` compiles: of a class template, with the usual kernel and
-// each of these tags, without a visitor and with any.
+// The kernels that `compiled_updates.h` compiles: of a class template, with the usual kernel and a
+// tag, with any visitor or none.
 #define CGAL_DYNAMIC_DELAUNAY_COMPILE(prefix, Dynamic, tag)                                        \
   CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
       prefix,                                                                                      \
       Dynamic<Exact_predicates_inexact_constructions_kernel, Default, With_concurrency_2<tag>>)
-#define CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(prefix, Dynamic, tag)                           \
-  CGAL_DYNAMIC_DELAUNAY_COMPILE_UPDATE(                                                            \
-      prefix,                                                                                      \
-      Dynamic<Exact_predicates_inexact_constructions_kernel, Default,                              \
-              With_visitor_2<Dynamic_Delaunay_triangulations_2::internal::Heard_visitor_2>,        \
-              With_concurrency_2<tag>>)
 
 // Says of a class template that all these are compiled elsewhere, where that is so.
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
 #define CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE(Dynamic)
 #else
-#define CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_FOR(Dynamic, tag)                                 \
-  CGAL_DYNAMIC_DELAUNAY_COMPILE(extern, Dynamic, tag);                                             \
-  CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(extern, Dynamic, tag);
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PARALLEL
 #define CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE(Dynamic)                                          \
-  CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_FOR(Dynamic, Sequential_tag)
+  CGAL_DYNAMIC_DELAUNAY_COMPILE(extern, Dynamic, Sequential_tag);
 #else
 #define CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE(Dynamic)                                          \
-  CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_FOR(Dynamic, Sequential_tag)                            \
-  CGAL_DYNAMIC_DELAUNAY_COMPILED_ELSEWHERE_FOR(Dynamic, Parallel_tag)
+  CGAL_DYNAMIC_DELAUNAY_COMPILE(extern, Dynamic, Sequential_tag);                                  \
+  CGAL_DYNAMIC_DELAUNAY_COMPILE(extern, Dynamic, Parallel_tag);
 #endif
 #endif
 
@@ -737,8 +725,9 @@ private:
     file.finish();
     Delaunay_classifier classifier = m_settings.classifier;
     inform_classifier(classifier, Frame(state));
+    listen(); // what is to be told takes memory
     m_core->update.tools().context.builder.reserve_for_exchange(state);
-    start_visit();
+    m_settings.visitor.before_update(derived());
     m_settings.classifier = std::move(classifier); // from here on only the visitor may throw
     m_core->update.exchange(state, reader.is_certified(), reader.memory());
     exchange_more();
@@ -763,7 +752,15 @@ private:
   void start_visit()
   {
     m_settings.visitor.before_update(derived());
-    m_core->update.tools().context.editor.start_visit(m_settings.visitor, &derived());
+    listen();
+  }
+  // From now on, changes are told to the visitor, if it listens.
+  void listen()
+  {
+    using Dynamic_Delaunay_triangulations_2::internal::is_listening;
+    m_core->update.tools().context.editor.start_visit(
+        m_settings.visitor, &derived(),
+        is_listening<Delaunay_update_visitor_base_2>(m_settings.visitor));
   }
 
   // Ends the visit after a change. In periodic space the visitor is told of all changes here; in

@@ -12,7 +12,7 @@
 // whatever the classifier, the repair, the policy and the visitor are; also for `Parallel_tag` if
 // all files define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PARALLEL, too. To compile it in
 // several source files, define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PART in each of them:
-// as 1, 2, 3 or 4, and for `Parallel_tag` as 5, 6, 7 or 8. CMake's targets
+// as 1 or 2, and for `Parallel_tag` as 3 or 4. CMake's targets
 // `Dynamic_Delaunay_triangulation_2::compiled` and `compiled_parallel` do that.
 #ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
 #error                                                                                             \
@@ -36,28 +36,14 @@ namespace CGAL {
 CGAL_DYNAMIC_DELAUNAY_COMPILE(, Dynamic_Delaunay_triangulation_2, Sequential_tag);
 #endif
 #if CGAL_DYNAMIC_DELAUNAY_HAS_PART(2)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(, Dynamic_Delaunay_triangulation_2, Sequential_tag);
-#endif
-#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(3)
 CGAL_DYNAMIC_DELAUNAY_COMPILE(, Dynamic_periodic_Delaunay_triangulation_2, Sequential_tag);
 #endif
-#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(4)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(, Dynamic_periodic_Delaunay_triangulation_2,
-                                           Sequential_tag);
-#endif
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED_PARALLEL
-#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(5)
+#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(3)
 CGAL_DYNAMIC_DELAUNAY_COMPILE(, Dynamic_Delaunay_triangulation_2, Parallel_tag);
 #endif
-#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(6)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(, Dynamic_Delaunay_triangulation_2, Parallel_tag);
-#endif
-#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(7)
+#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(4)
 CGAL_DYNAMIC_DELAUNAY_COMPILE(, Dynamic_periodic_Delaunay_triangulation_2, Parallel_tag);
-#endif
-#if CGAL_DYNAMIC_DELAUNAY_HAS_PART(8)
-CGAL_DYNAMIC_DELAUNAY_COMPILE_WITH_VISITOR(, Dynamic_periodic_Delaunay_triangulation_2,
-                                           Parallel_tag);
 #endif
 #endif
 

@@ -27,7 +27,10 @@ of `read_checkpoint()`: after the change, which edges and facets are gone and wh
 ascending order; those that were replaced and came back are not mentioned. Ends are ids of
 representatives, ascending; those of removed ones may belong to points that no longer exist, or to
 new points with the same ids. If memory does not suffice for a call, what it has changed is told
-after the next one. What a visitor throws, the caller gets; what would follow is not told.
+after the next one. What a visitor throws, the caller gets; what would follow is not told. One that
+has a member `bool is_listening() const` is told of calls alone, and costs nothing else, while that
+is false; its answer may change between calls, but not after one that has failed, until another one
+has succeeded.
 
 Cost: proportional to the number of cells that have changed, times its logarithm, and four bytes a
 point to be copied; a rebuild changes all cells.

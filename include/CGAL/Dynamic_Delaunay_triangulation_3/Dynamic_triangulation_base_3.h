@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/is_listening.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Triangulation_access.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
@@ -552,7 +553,8 @@ private:
   void start_visit()
   {
     if constexpr (is_watched) {
-      m_core->changes.begin(m_core->state);
+      if (is_listening())
+        m_core->changes.begin(m_core->state);
       m_core->visitor.before_update(dynamic());
     }
   }
@@ -560,11 +562,14 @@ private:
   void finish_visit([[maybe_unused]] const Update_report_3& report)
   {
     if constexpr (is_watched) {
-      m_core->changes.end(m_core->state);
-      tell(report);
+      if (is_listening()) {
+        m_core->changes.end(m_core->state);
+        tell_changes();
+      }
+      m_core->visitor.after_update(dynamic(), report);
     }
   }
-  void tell(const Update_report_3& report)
+  void tell_changes()
   {
     using Names = typename Changes::Names;
     Visitor& visitor = m_core->visitor;
@@ -583,7 +588,11 @@ private:
     for (const auto& facet : created.facets)
       Names::apply(facet,
                    [&](const auto&... args) { visitor.after_facet_creation(dynamic(), args...); });
-    visitor.after_update(dynamic(), report);
+  }
+  bool is_listening() const
+  {
+    using Dynamic_Delaunay_triangulations_2::internal::is_listening;
+    return is_listening<Delaunay_update_visitor_base_3>(m_core->visitor);
   }
 
   static void check_number_of_points(size_type number) { Input::check_number(number); }
@@ -654,14 +663,17 @@ private:
     file.finish();
     if constexpr (is_watched) {
       core->visitor.before_update(dynamic());
-      core->changes.compare(m_core->state, m_core->changes, core->state);
+      if (is_listening())
+        core->changes.compare(m_core->state, m_core->changes, core->state);
     }
     m_core.swap(core);
     exchange_more();
     if constexpr (is_watched) {
       Update_report_3 report;
       report.certified = true;
-      tell(report);
+      if (is_listening())
+        tell_changes();
+      m_core->visitor.after_update(dynamic(), report);
     }
   }
 

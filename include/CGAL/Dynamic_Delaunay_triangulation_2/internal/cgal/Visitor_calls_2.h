@@ -77,29 +77,27 @@ struct Plane_change_2
 // `finish()` throws, the visitor is not called again in this update.
 //
 // The visitor and the triangulation that it is shown are hidden behind a function, so that the
-// kernel is compiled once for all visitors, and, where none is heard, without any call.
-template <class Triangulation, bool is_heard_>
+// kernel is compiled once for all visitors, also for those that do not listen.
+template <class Triangulation>
 class Visitor_calls_2
 {
 public:
   using Change = Plane_change_2<Triangulation>;
 
-  // False for the default visitor.
-  static constexpr bool is_heard = is_heard_;
-
   // Called in each update, because both objects may have other addresses than in the last one.
   template <class Visitor, class Dynamic>
-  void start([[maybe_unused]] Visitor& visitor, [[maybe_unused]] const Dynamic* dynamic)
+  void start(Visitor& visitor, const Dynamic* dynamic, bool is_listening)
   {
     m_failure = nullptr;
-    if constexpr (is_heard) {
-      m_visitor = &visitor;
-      m_dynamic = dynamic;
-      m_tell = [](void* v, const void* d, const Change& change) {
-        change.tell(*static_cast<Visitor*>(v), *static_cast<const Dynamic*>(d));
-      };
-    }
+    m_visitor = is_listening ? &visitor : nullptr;
+    m_dynamic = dynamic;
+    m_tell = [](void* v, const void* d, const Change& change) {
+      change.tell(*static_cast<Visitor*>(v), *static_cast<const Dynamic*>(d));
+    };
   }
+
+  // Whether a visitor listens to this update.
+  bool is_heard() const { return m_visitor != nullptr; }
 
   void finish()
   {
@@ -112,14 +110,12 @@ public:
   template <class Make>
   void call(const Make& make) noexcept
   {
-    if constexpr (is_heard) {
-      if (m_visitor == nullptr || m_failure)
-        return;
-      try {
-        m_tell(m_visitor, m_dynamic, make());
-      } catch (...) {
-        m_failure = std::current_exception();
-      }
+    if (!is_heard() || m_failure)
+      return;
+    try {
+      m_tell(m_visitor, m_dynamic, make());
+    } catch (...) {
+      m_failure = std::current_exception();
     }
   }
 

@@ -56,36 +56,33 @@ struct Periodic_change_2
 };
 
 // Logs changes until a call has ended, and then tells the user's visitor, which is hidden behind a
-// function as in `Visitor_calls_2`. Where none is heard, nothing is logged.
-template <bool is_heard_>
+// function as in `Visitor_calls_2`. If it does not listen, nothing is logged.
 class Periodic_visitor_calls_2
 {
 public:
-  static constexpr bool is_heard = is_heard_;
-
   // Call this first: both objects may be at other addresses than in the last call.
   template <class Visitor, class Dynamic>
-  void start([[maybe_unused]] Visitor& visitor, [[maybe_unused]] const Dynamic* dynamic)
+  void start(Visitor& visitor, const Dynamic* dynamic, bool is_listening)
   {
-    if constexpr (is_heard) {
-      m_visitor = &visitor;
-      m_dynamic = dynamic;
-      m_tell = [](void* v, const void* d, const Periodic_change_2& change) {
-        change.tell(*static_cast<Visitor*>(v), *static_cast<const Dynamic*>(d));
-      };
-    }
+    m_is_heard = is_listening;
+    m_visitor = &visitor;
+    m_dynamic = dynamic;
+    m_tell = [](void* v, const void* d, const Periodic_change_2& change) {
+      change.tell(*static_cast<Visitor*>(v), *static_cast<const Dynamic*>(d));
+    };
   }
+
+  // Whether the visitor listens to this call, or has listened to the last one.
+  bool is_heard() const { return m_is_heard; }
 
   // Tells all changes since the last finish(), including those of a call that an exception has
   // ended. If the visitor throws, the changes that follow are never told.
   void finish()
   {
-    if constexpr (is_heard) {
-      m_told.clear();
-      m_told.swap(m_log);
-      for (const Periodic_change_2& change : m_told)
-        m_tell(m_visitor, m_dynamic, change);
-    }
+    m_told.clear();
+    m_told.swap(m_log);
+    for (const Periodic_change_2& change : m_told)
+      m_tell(m_visitor, m_dynamic, change);
   }
 
   std::vector<Periodic_change_2>& log() { return m_log; }
@@ -93,7 +90,7 @@ public:
   // Reserves memory for this number of changes, beyond those of keep_memory_for().
   void reserve(std::size_t changes)
   {
-    if constexpr (is_heard)
+    if (is_heard())
       reserve_extra(m_log, changes + m_kept);
   }
   void keep_memory_for(std::size_t changes)
@@ -103,6 +100,7 @@ public:
   }
 
 private:
+  bool m_is_heard = false;
   void* m_visitor = nullptr;
   const void* m_dynamic = nullptr;
   void (*m_tell)(void*, const void*, const Periodic_change_2&) = nullptr;

@@ -29,12 +29,9 @@ class Torus_editing_2
 {
   using Arrays = Halfedge_arrays_2;
   using Slot = Arrays::Slot;
-  using Calls = typename State::Visitor_calls;
   using Kind = Periodic_change_2::Kind;
 
 public:
-  static constexpr bool tells_at_once = false;
-
   explicit Torus_editing_2(State& state)
     : m_state(state)
     , m_writer(state)
@@ -42,11 +39,14 @@ public:
   }
 
   template <class Visitor, class Dynamic>
-  void start_visit(Visitor& visitor, const Dynamic* dynamic)
+  void start_visit(Visitor& visitor, const Dynamic* dynamic, bool is_listening)
   {
-    m_writer.visitor_calls().start(visitor, dynamic);
+    m_writer.visitor_calls().start(visitor, dynamic, is_listening);
   }
   void finish_visit() { m_writer.visitor_calls().finish(); }
+
+  bool is_heard() const { return m_writer.visitor_calls().is_heard(); }
+  static bool tells_at_once() { return false; }
 
   // MEMORY OF CHANGES ---------------------------------------------------------------------------
 
@@ -60,9 +60,9 @@ public:
     others.clear();
   }
   void reserve(std::size_t changes) { m_writer.visitor_calls().reserve(changes); }
-  static void reserve(Log& log, std::size_t changes)
+  void reserve(Log& log, std::size_t changes) const
   {
-    if constexpr (Calls::is_heard)
+    if (is_heard())
       reserve_extra(log, changes);
   }
   void keep_memory_for(std::size_t changes) { m_writer.visitor_calls().keep_memory_for(changes); }
@@ -144,7 +144,7 @@ public:
   // Notes all edges as removed or created. There must be memory for it.
   void note_all_edges(Kind kind)
   {
-    if constexpr (Calls::is_heard)
+    if (is_heard())
       for (Edge_index e(0); e < arrays().number_of_edges(); ++e)
         if (!arrays().is_empty_edge(e))
           note_edge(kind, arrays().halfedge(e), log());
@@ -176,7 +176,7 @@ public:
   void reserve_for_id_change(Vertex_index v)
   {
     reserve_extra(changes().relocated, 1);
-    if constexpr (Calls::is_heard)
+    if (is_heard())
       reserve(2 * std::size_t(arrays().degree(v)) + 1);
   }
   void before_id_change(Vertex_index v) { note_edges_around(Kind::EDGE_REMOVED, v); }
@@ -253,14 +253,14 @@ private:
   template <class Change>
   void note(const Change& change)
   {
-    if constexpr (Calls::is_heard)
+    if (is_heard())
       log().push_back(change());
   }
 
   // Logs the change of an edge, unless it is across the gap of a slab: users do not see those.
   void note_edge(Kind kind, Halfedge_index h, Log& log) const
   {
-    if constexpr (Calls::is_heard) {
+    if (is_heard()) {
       const Halfedge_index from = Arrays::next(h), to = Arrays::previous(h);
       if (!m_state.are_across(from, to))
         log.push_back(Periodic_change_2::edge(kind, m_state.id_at(from), m_state.id_at(to),
@@ -271,7 +271,7 @@ private:
   // Edges from the vertex to an image of itself are met twice, and noted once.
   void note_edges_around(Kind kind, Vertex_index v)
   {
-    if constexpr (Calls::is_heard)
+    if (is_heard())
       arrays().for_each_corner(v, [&](Halfedge_index h) {
         const Halfedge_index spoke = Arrays::previous(h);
         if (arrays().target(spoke) != v || spoke == arrays().halfedge(arrays().edge_of(spoke)))

@@ -94,8 +94,7 @@ public:
   using Editing = Torus_editing_2<State>;
   template <class State>
   using Builder = Torus_builder_2<State>;
-  template <bool is_heard>
-  using Visitor_calls = Periodic_visitor_calls_2<is_heard>;
+  using Visitor_calls = Periodic_visitor_calls_2;
 
   static constexpr bool is_periodic = true;
   static constexpr Vertex_index first_vertex = infinite_index + 1; // in the arrays

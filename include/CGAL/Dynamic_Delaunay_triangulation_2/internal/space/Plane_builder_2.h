@@ -198,7 +198,7 @@ private:
   template <class Function>
   void for_each_face(const Function& f) const
   {
-    if constexpr (State::Visitor_calls::is_heard)
+    if (m_editing.is_heard())
       for (Face_index face(0); face < m_arrays.number_of_faces(); ++face)
         f(face);
   }
@@ -207,7 +207,7 @@ private:
   template <class Function>
   void for_each_vertex(const Function& f) const
   {
-    if constexpr (State::Visitor_calls::is_heard)
+    if (m_editing.is_heard())
       for (Vertex_index v(1); v <= m_state.number_of_vertices(); ++v)
         f(v);
   }

@@ -31,8 +31,6 @@ class Plane_editing_2
   using Edge = typename Told::Edge;
 
 public:
-  static constexpr bool tells_at_once = Calls::is_heard;
-
   explicit Plane_editing_2(State& state)
     : m_state(state)
     , m_writer(state)
@@ -41,11 +39,14 @@ public:
   }
 
   template <class Visitor, class Dynamic>
-  void start_visit(Visitor& visitor, const Dynamic* dynamic)
+  void start_visit(Visitor& visitor, const Dynamic* dynamic, bool is_listening)
   {
-    m_writer.visitor_calls().start(visitor, dynamic);
+    m_writer.visitor_calls().start(visitor, dynamic, is_listening);
   }
   void finish_visit() { m_writer.visitor_calls().finish(); }
+
+  bool is_heard() const { return m_writer.visitor_calls().is_heard(); }
+  bool tells_at_once() const { return is_heard(); }
 
   // MEMORY OF CHANGES ---------------------------------------------------------------------------
 

@@ -57,8 +57,7 @@ public:
   using Editing = Plane_editing_2<State>;
   template <class State>
   using Builder = Plane_builder_2<State>;
-  template <bool is_heard>
-  using Visitor_calls = Visitor_calls_2<Triangulation, is_heard>;
+  using Visitor_calls = Visitor_calls_2<Triangulation>;
 
   static constexpr bool is_periodic = false;                   // for users of frames only
   static constexpr Vertex_index first_vertex = infinite_index; // in the arrays

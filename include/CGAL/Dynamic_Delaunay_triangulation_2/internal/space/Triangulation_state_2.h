@@ -23,7 +23,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 //
 // Everything can be read. What is written goes through a `Writer`, which takes a state that is not
 // constant: only the interface has one, and gives it to the editor, the builder and the input.
-template <class Space_, bool is_visitor_heard, class ConcurrencyTag>
+template <class Space_, class ConcurrencyTag>
 class Triangulation_state_2 : public Space_
 {
 public:
@@ -32,7 +32,7 @@ public:
   using Ids = Point_ids_2<Point>;
   using Editing = typename Space::template Editing<Triangulation_state_2>;
   using Builder = typename Space::template Builder<Triangulation_state_2>;
-  using Visitor_calls = typename Space::template Visitor_calls<is_visitor_heard>;
+  using Visitor_calls = typename Space::Visitor_calls;
 
   // How passes are divided. Passes over lazy numbers, which several points may share, are left to
   // one thread.

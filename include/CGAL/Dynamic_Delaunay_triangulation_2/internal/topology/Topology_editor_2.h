@@ -102,11 +102,11 @@ public:
 
   // THE VISITOR AND THE LOG OF CHANGES ----------------------------------------------------------
 
-  // Begins to call the visitor.
+  // Begins to call the visitor, if it listens.
   template <class Visitor, class Dynamic>
-  void start_visit(Visitor& visitor, const Dynamic* dynamic)
+  void start_visit(Visitor& visitor, const Dynamic* dynamic, bool is_listening)
   {
-    m_editing.start_visit(visitor, dynamic);
+    m_editing.start_visit(visitor, dynamic, is_listening);
   }
 
   // Ends the calls of the visitor, and throws its first exception, if any.
@@ -174,7 +174,7 @@ public:
                      const Function& f)
   {
     m_editing.reserve(2 * most);
-    run_in_parts(topology.number(), Editing::tells_at_once,
+    run_in_parts(topology.number(), m_editing.tells_at_once(),
                  [&](std::size_t part, Changes_of_part& changes) {
                    f(part, [&](Halfedge_index h) {
                      return try_flip(topology, part, no_edge_doubles, h, changes);
@@ -360,11 +360,10 @@ public:
   void edit_in_parts(std::size_t parts, std::size_t most, const Function& f)
   {
     reserve_extra(m_changes.relocated, most);
-    run_in_parts(parts, State::Visitor_calls::is_heard,
-                 [&](std::size_t part, Changes_of_part& changes) {
-                   Edit_of_part edit(*this, changes);
-                   f(part, edit);
-                 });
+    run_in_parts(parts, m_editing.is_heard(), [&](std::size_t part, Changes_of_part& changes) {
+      Edit_of_part edit(*this, changes);
+      f(part, edit);
+    });
   }
 
   // Makes slots with the next numbers and vertices without representatives, the i-th at point(i).
@@ -749,7 +748,7 @@ private:
     const Edge_index e = m_arrays.edge_of(h);
     if (!topology.is_inside(part, e) || !(no_edge_doubles || can_flip(h)))
       return false;
-    Editing::reserve(changes.log, 2);
+    m_editing.reserve(changes.log, 2);
     changes.edges.push_back(e);
     m_editing.flip(h, changes.log); // throws nothing
     return true;
