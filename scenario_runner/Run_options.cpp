@@ -205,11 +205,12 @@ void check_cells(const Run_options& options)
 
 } // namespace
 
-Run_options parse_options(CLI::App& app, int argc, const char* const* argv)
+std::optional<Run_options> parse_options(int argc, const char* const* argv)
 {
   Run_options options;
-  app.description("Runs a scenario, keeps its Delaunay triangulation, checks every frame, and "
-                  "compares the time with fresh triangulations.");
+  CLI::App app("Runs a scenario, keeps its Delaunay triangulation, checks every frame, and "
+               "compares the time with fresh triangulations.",
+               "run_scenario");
   app.add_option("SCENARIO", options.scenario,
                  "a scenario; or a " + scenario::motion_extensions +
                      " file, also followed by .gz, or any LAMMPS dump; or - for a recording from "
@@ -223,7 +224,12 @@ Run_options parse_options(CLI::App& app, int argc, const char* const* argv)
              scenario::joined(scenario::known_scenarios_3()) +
              "\nHow to write one, and which recordings are read: "
              "doc/Dynamic_Delaunay_triangulation_2/Scenario_files.txt");
-  app.parse(argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    app.exit(help_or_version);
+    return std::nullopt;
+  }
   for (const char* const name : {"--classifier", "--padding", "--repair", "--engine", "--packing",
                                  "--svg", "--html", "--radius", "--domain", "--cell-rule"}) {
     if (app.count(name) != 0) {

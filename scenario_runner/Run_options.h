@@ -14,10 +14,6 @@
 #include <string>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace run {
 
 // What a person asks for.
@@ -52,8 +48,9 @@ struct Run_options
   std::string repair_name() const { return repair.value_or(usual_repair(classifier)); }
 };
 
-// \throws CLI::Success for --help and --version, another CLI::ParseError for a mistake.
-Run_options parse_options(CLI::App& app, int argc, const char* const* argv);
+// Nothing after --help and --version, which it prints. Throws std::exception for a mistake. The
+// parser's header, which takes a compiler seconds, is read in one file only.
+std::optional<Run_options> parse_options(int argc, const char* const* argv);
 
 } // namespace run
 

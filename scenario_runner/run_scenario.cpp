@@ -20,8 +20,6 @@
 #include "scenario_runner/space/Run_report_3.h"
 #include "scenario_runner/Threads.h"
 
-#include <CLI/CLI.hpp>
-
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
@@ -273,13 +271,13 @@ int run_scenario(const run::Run_options& options)
 
 int main(int argc, char** argv)
 {
-  CLI::App app("", "run_scenario");
   try {
-    const run::Run_options options = run::parse_options(app, argc, argv);
+    const std::optional<run::Run_options> options = run::parse_options(argc, argv);
+    if (!options) {
+      return 0;
+    }
     run::interruption::expect();
-    return run_scenario(options);
-  } catch (const CLI::Success& help_or_version) {
-    return app.exit(help_or_version);
+    return run_scenario(*options);
   } catch (const std::exception& error) {
     std::cerr << "run_scenario: " << error.what() << std::endl;
     return 1;
