@@ -28,17 +28,23 @@
 #include <random>
 #include <string>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace {
 
-// Calls `f` with four threads, which may be more than the machine has.
+// Calls `f` with some threads, which may be more than the machine has.
+template <class Function>
+void with_threads(int threads, const Function& f)
+{
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 8);
+  tbb::task_arena(threads).execute(f);
+}
 template <class Function>
 void with_threads(const Function& f)
 {
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 8);
-  tbb::task_arena(4).execute(f);
+  with_threads(4, f);
 }
 
 auto all_of(const CGAL::Update_report_3& r)
@@ -99,6 +105,96 @@ TYPED_TEST(Threads_in_space, change_nothing_but_the_time)
     ASSERT_EQ(checkpoint_of(alone), checkpoint_of(together));
     with_threads([&] { EXPECT_TRUE(together.certify()); });
   }
+}
+
+// The same frames for triangulations without threads, and in 1, 2, 3 and 8 threads.
+template <class Sequential, class Parallel>
+class Compared
+{
+public:
+  template <class... Arguments>
+  explicit Compared(const Arguments&... arguments)
+    : m_alone(arguments...)
+    , m_together(4, Parallel(arguments...))
+  {
+  }
+
+  template <class... Frame>
+  CGAL::Update_report_3 update(const Frame&... frame)
+  {
+    const CGAL::Update_report_3 report = m_alone.update(frame...);
+    const std::string checkpoint = checkpoint_of(m_alone);
+    const int threads[] = {1, 2, 3, 8};
+    for (std::size_t i = 0; i < m_together.size(); ++i) {
+      CGAL::Update_report_3 other;
+      with_threads(threads[i], [&] { other = m_together[i].update(frame...); });
+      EXPECT_EQ(all_of(report), all_of(other)) << threads[i] << " threads";
+      EXPECT_EQ(checkpoint, checkpoint_of(m_together[i])) << threads[i] << " threads";
+    }
+    return report;
+  }
+
+  bool is_valid() const
+  {
+    bool is = m_alone.is_valid();
+    for (const Parallel& together : m_together)
+      is = is && together.is_valid();
+    return is;
+  }
+
+private:
+  Sequential m_alone;
+  std::vector<Parallel> m_together;
+};
+
+TYPED_TEST(Threads_in_space, change_nothing_in_rough_frames)
+{
+  using Place = typename TestFixture::Point;
+  using Compared_here = Compared<typename TestFixture::Sequential, typename TestFixture::Parallel>;
+  constexpr bool is_fast = std::is_same_v<TypeParam, CGAL::Epick>;
+  const std::size_t number = is_fast ? 4000 : 1000;
+  const double spacing = 1 / std::cbrt(double(number));
+  for (const std::string kind : {"uniform", "jumps", "streams", "held"}) {
+    SCOPED_TRACE(kind);
+    auto points = this->random_points(number);
+    Compared_here compared(points);
+    std::size_t held = 0;
+    for (const double step : {0.02, 0.05, 0.08}) {
+      for (std::size_t i = 0; i < number; ++i) {
+        Place& p = points[i];
+        if (kind == "streams" && i % 2 == 0)
+          p = Place(p.x() + typename TypeParam::FT(4 * step * spacing), p.y(), p.z());
+        const bool is_restless = kind == "held" && i % 50 == 0;
+        p = this->shaken(p, (is_restless ? 10 : 1) * step * spacing);
+      }
+      if (kind == "jumps")
+        std::swap(points[7], points[number - 7]);
+      held += compared.update(points).held;
+    }
+    EXPECT_GT(held, 0u);
+    EXPECT_TRUE(compared.is_valid());
+  }
+}
+
+// Ties everywhere, and flips of four cells to four.
+TYPED_TEST(Threads_in_space, change_nothing_in_lattices)
+{
+  constexpr int side = std::is_same_v<TypeParam, CGAL::Epick> ? 16 : 8;
+  typename TestFixture::Points points;
+  for (int i = 0; i < side * side * side; ++i)
+    points.emplace_back(i % side, i / side % side, i / side / side);
+  const auto lattice = points;
+  Compared<typename TestFixture::Sequential, typename TestFixture::Parallel> compared(points);
+  std::uniform_int_distribution<int> coin(0, 9), eighths(-1, 1);
+  for (int frame = 0; frame < 4; ++frame) {
+    for (std::size_t i = 0; i < points.size(); ++i) // some go an eighth of the way to a neighbor
+      if (coin(this->m_random) == 0)
+        points[i] = lattice[i] + typename TypeParam::Vector_3(eighths(this->m_random) / 8.0,
+                                                              eighths(this->m_random) / 8.0, 0);
+    compared.update(points);
+  }
+  compared.update(lattice);
+  EXPECT_TRUE(compared.is_valid());
 }
 
 TYPED_TEST(Threads_in_space, change_nothing_in_populations)
@@ -183,6 +279,36 @@ TEST(Threads_in_periodic_space, change_nothing_but_the_time)
     ASSERT_EQ(all_of(report), all_of(other));
     ASSERT_EQ(checkpoint_of(alone), checkpoint_of(together));
     with_threads([&] { EXPECT_TRUE(together.certify()); });
+  }
+}
+
+// Rough frames, in a cube and in a slab.
+TEST(Threads_in_periodic_space, change_nothing_in_rough_frames)
+{
+  using Sequential = CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick>;
+  using Parallel =
+      CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick,
+                                                      CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
+  using Point = Sequential::Point;
+  for (const CGAL::Periodic_cell_3& cell :
+       {CGAL::Periodic_cell_3(1, 1, 1), CGAL::Periodic_cell_3({1, 0, 0}, {0, 1, 0})}) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> coordinate(0, 1);
+    std::vector<Point> points;
+    for (int i = 0; i < 2000; ++i) {
+      const double x = coordinate(random), y = coordinate(random);
+      points.emplace_back(x, y, coordinate(random));
+    }
+    Compared<Sequential, Parallel> compared(points, cell);
+    for (const double step : {0.001, 0.003, 0.006}) {
+      std::normal_distribution<double> normal(0, step);
+      for (Point& p : points) {
+        const double x = p.x() + normal(random), y = p.y() + normal(random);
+        p = Point(x, y, p.z() + normal(random));
+      }
+      compared.update(points);
+    }
+    EXPECT_TRUE(compared.is_valid());
   }
 }
 

@@ -6,9 +6,12 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Flip_parts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Lawson_flips_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Spatial_parts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Positions_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -23,12 +26,18 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // at its old position. If cells stay inverted even so, flips are in the way: all of them are undone
 // and forbidden near these cells, and it all begins again; in the last attempt everything may
 // return to its old position, where all cells were positive.
+//
+// Where there is much to do, threads do it in parts of space first, as they were before the frame.
+// A part takes up a cell if it has the vertices of the cell and of its neighbors, and moves a
+// vertex if it has all neighbors of it. So no other part reads the position: all cells that another
+// one reads have three vertices there, or are at a vertex there. What that leaves is done in turn.
 template <class State>
 class Held_vertices_3
 {
   using Flips = Lawson_flips_3<State>;
   using Arrays = typename State::Arrays;
   using Place = typename State::Place;
+  using Division = typename Flips::Division;
   using Positions = typename State::Positions;
 
 public:
@@ -36,6 +45,7 @@ public:
     : m_state(state)
     , m_previous(previous)
     , m_flips(flips)
+    , m_whole(flips)
   {
   }
 
@@ -45,14 +55,18 @@ public:
     m_mean = mean;
     m_old_origin = old_origin;
     m_new_origin = m_state.origin;
-    m_held.clear();
+    forget();
     m_number.assign(m_state.positions.number(), null_index);
     m_may_right.assign(m_state.positions.number(), 1);
   }
 
-  void forget() { m_held.clear(); }
+  void forget()
+  {
+    m_whole.held.clear();
+    m_parts.clear();
+  }
 
-  std::size_t number() const { return m_held.size(); }
+  std::size_t number() const { return m_whole.held.size(); }
 
   // Makes all cells positive; `bad` are those that are not. Opens the facets of all cells that
   // flips have changed or that have a held vertex. False if that has failed, or if more than `most`
@@ -61,16 +75,19 @@ public:
   {
     for (int attempt = 0; attempt < attempts; ++attempt) {
       arrays().begin();
-      m_bad = bad;
-      if (attempt == attempts - 1)
-        find_all_bad();
+      m_whole.bad = bad;
+      m_whole.failed.clear();
       m_is_last_attempt = attempt == attempts - 1;
-      m_failed.clear();
-      if (!right_or_hold(m_is_last_attempt ? m_state.positions.number() : most)) {
+      if (m_is_last_attempt)
+        find_all_bad();
+      else
+        right_or_hold_in_parts(most);
+      const std::size_t bound = m_is_last_attempt ? std::size_t(m_state.positions.number()) : most;
+      if (number() > bound || !right_or_hold(m_whole, bound)) {
         give_up();
         return false;
       }
-      if (keep_what_is_inverted(m_failed).empty()) {
+      if (keep_what_is_inverted(m_whole.failed).empty()) {
         open_what_has_changed();
         arrays().commit();
         return true;
@@ -84,17 +101,12 @@ public:
 
   // Moves each held vertex on to where it belongs, or half or a quarter of the way, or less in some
   // spaces, in several rounds, with flips after each move. All facets are legal before and
-  // afterwards, but for stuck ones.
+  // afterwards, but for stuck ones. Where they are many, threads release them in parts first.
   void release()
   {
-    for (int round = 0; round < rounds; ++round) {
-      bool has_moved = false;
-      for (std::size_t i = 0; i < m_held.size(); ++i)
-        if (m_held[i].is_waiting)
-          has_moved = release(i) || has_moved;
-      if (!has_moved)
-        return;
-    }
+    release_in_parts();
+    const std::vector<Index> waiting = waiting_ones();
+    release(m_whole, waiting);
   }
 
   // Moves a vertex of each stuck facet back, towards where all vertices' mean motion carries it,
@@ -125,15 +137,18 @@ public:
   // Puts all vertices where they belong, whatever becomes of their cells.
   void bring_to_targets()
   {
-    for (const Held& held : m_held)
+    for (const Held& held : m_whole.held)
       m_state.positions.set(held.vertex, held.target);
+    for (const Work& part : m_parts) // which an exception has left
+      for (const Held& held : part.held)
+        m_state.positions.set(held.vertex, held.target);
   }
 
   // Calls f(v, place) for each vertex that has not arrived, with the place where it belongs.
   template <class Function>
   void for_each_left(const Function& f) const
   {
-    for (const Held& held : m_held)
+    for (const Held& held : m_whole.held)
       if (!held.has_arrived)
         f(held.vertex, held.target);
   }
@@ -142,6 +157,12 @@ private:
   static constexpr int attempts = 8, rounds = 12, retreats = 3;
   // A cell of a star that cannot be righted by so few flips costs more than to wait.
   static constexpr std::size_t most_inverted = 6;
+  static constexpr std::size_t few_cells = 64; // free ones, with which a part begins
+  // Of 100,000 points too many stars are at borders, and are looked at in vain: one thread would
+  // take a quarter longer.
+  static constexpr std::size_t parts_of_stars = 16;
+  // To right a cell, or to hold or release a vertex, takes as long as to test and flip so many.
+  static constexpr std::size_t facets_of_cell = 16;
 
   enum class Waits { CARRIED, AT_HOME, WHERE_IT_WAS };
 
@@ -155,51 +176,136 @@ private:
     int retreats;
   };
 
+  // What is held, and what is to be done, in all or in a part.
+  struct alignas(64) Work
+  {
+    explicit Work(Flips& flips_there)
+      : flips(flips_there)
+    {
+    }
+
+    Flips& flips;
+    std::size_t first = 0; // number of the first of those that are held
+    std::vector<Held> held;
+    std::vector<Cell_index> bad; // cells that may not be positive
+    std::vector<Cell_index> failed;
+    std::vector<Cell_index> left; // that a part leaves to others
+    std::vector<Cell_index> star;
+    Cell_set_3 in_star;
+  };
+
+  enum class Outcome { HELD, FAILED, LEFT };
+
   Arrays& arrays() { return m_state.arrays; }
   const Arrays& arrays() const { return m_state.arrays; }
   const Position_3& position(Vertex_index v) const { return m_state.positions.position(v); }
-  bool is_positive(Cell_index c) const { return m_flips.is_positive(c); }
+  static bool is_positive(const Work& work, Cell_index c) { return work.flips.is_positive(c); }
   bool is_held(Vertex_index v) const { return m_number[v] != null_index; }
 
   // HOLDING ---------------------------------------------------------------------------------------
 
   void find_all_bad()
   {
-    m_bad.clear();
+    m_whole.bad.clear();
     for (Cell_index c(0); c < arrays().number_of_cells(); ++c)
-      if (!arrays().is_free(c) && !is_positive(c))
-        m_bad.push_back(c);
+      if (!arrays().is_free(c) && !is_positive(m_whole, c))
+        m_whole.bad.push_back(c);
   }
 
   // Takes up cells that are not positive until none is left. False if too many would be held.
-  bool right_or_hold(std::size_t most)
+  bool right_or_hold(Work& work, std::size_t most)
   {
-    while (!m_bad.empty()) {
-      const Cell_index c = m_bad.back();
-      if (arrays().is_free(c) || is_positive(c)) {
-        m_bad.pop_back();
+    while (!work.bad.empty()) {
+      prefetch_around(m_state, 0, work.bad.size(),
+                      [&](std::size_t n) { return work.bad[work.bad.size() - 1 - n]; });
+      const Cell_index c = work.bad.back();
+      if (arrays().is_free(c) || is_positive(work, c)) {
+        work.bad.pop_back();
         continue;
       }
-      if (!m_is_last_attempt && may_right(c) && right(c))
+      const bool is_mine = work.flips.is_mine_with_neighbors(c);
+      if (is_mine && !m_is_last_attempt && may_right(c) && right(work, c))
         continue;
-      if (!hold_one_of(c)) {
-        m_failed.push_back(c);
-        m_bad.pop_back();
-        continue;
-      }
-      if (m_held.size() > most)
+      const Outcome outcome = is_mine ? hold_one_of(work, c) : Outcome::LEFT;
+      if (outcome != Outcome::HELD) {
+        (outcome == Outcome::FAILED ? work.failed : work.left).push_back(c);
+        work.bad.pop_back();
+      } else if (work.held.size() > most) {
         return false;
+      }
     }
     return true;
   }
 
-  bool right(Cell_index c)
+  // Where many cells are not positive, does the same in parts, which threads share, until four
+  // times a part's share of `most` is held. Others remain.
+  void right_or_hold_in_parts(std::size_t most)
   {
-    const auto flipped = m_flips.right(c);
+    divide_while_worth(
+        m_state, m_previous, parts_of_stars, [&] { return facets_of_cell * m_whole.bad.size(); },
+        [&](const Division& division) {
+          run_in_parts(division, divide_bad(division),
+                       [&](Work& work) { right_or_hold(work, 4 * most / division.number()); });
+        });
+  }
+
+  // Takes the cells of each part, which has all their vertices; others remain.
+  std::vector<std::vector<Cell_index>> divide_bad(const Division& division)
+  {
+    std::vector<std::vector<Cell_index>> of_parts(division.number());
+    std::vector<Cell_index> rest;
+    for (const Cell_index c : m_whole.bad)
+      if (!arrays().is_free(c)) {
+        const Vertices_3& v = arrays().vertices(c);
+        const std::size_t part = division.part_of(v[0] == infinite_index ? v[1] : v[0]);
+        const bool is_inside =
+            std::all_of(v.begin(), v.end(), [&](Vertex_index w) { return division.has(part, w); });
+        (is_inside ? of_parts[part] : rest).push_back(c);
+      }
+    m_whole.bad.swap(rest);
+    return of_parts;
+  }
+
+  // Calls f(work) for parts with bad cells, on threads.
+  template <class Function>
+  void run_in_parts(const Division& division, const std::vector<std::vector<Cell_index>>& bad,
+                    const Function& f)
+  {
+    std::vector<Flips> flips(division.number(), Flips(m_state));
+    for (std::size_t part = 0; part < division.number(); ++part) {
+      flips[part].begin_part(division, part);
+      m_parts.emplace_back(flips[part]);
+      m_parts[part].bad = bad[part];
+      m_parts[part].first = m_whole.held.size();
+    }
+    arrays().begin_parts(division.number(),
+                         [&](std::size_t part) { return few_cells + bad[part].size() / 2; });
+    State::Exact_parts::run(division.number(), [&](std::size_t part) { f(m_parts[part]); });
+    arrays().end_parts();
+    for (const Work& part : m_parts)
+      take_over(part);
+    m_parts.clear();
+  }
+  void take_over(const Work& part)
+  {
+    for (const Held& held : part.held) {
+      m_number[held.vertex] = Index(m_whole.held.size());
+      m_whole.held.push_back(held);
+    }
+    m_whole.bad.insert(m_whole.bad.end(), part.bad.begin(), part.bad.end());
+    m_whole.bad.insert(m_whole.bad.end(), part.left.begin(), part.left.end());
+    m_whole.failed.insert(m_whole.failed.end(), part.failed.begin(), part.failed.end());
+    m_flips.append_left(part.flips);
+  }
+
+  bool right(Work& work, Cell_index c)
+  {
+    const auto flipped = work.flips.right(c);
     for (int n = 0; n < flipped.number; ++n)
       for (int i = 0; i < 4; ++i)
-        if (const Cell_index other = arrays().neighbor(flipped.cells[n], i); !is_positive(other))
-          m_bad.push_back(other);
+        if (const Cell_index other = arrays().neighbor(flipped.cells[n], i);
+            !is_positive(work, other))
+          work.bad.push_back(other);
     return flipped.number > 0;
   }
 
@@ -213,28 +319,61 @@ private:
   }
 
   // Holds that vertex of a cell whose motion differs most from its neighbors', or else lets one
-  // that is held wait farther back. False if there is none.
-  bool hold_one_of(Cell_index c)
+  // that is held wait farther back. FAILED if there is none, LEFT if a part does not have all cells
+  // of such vertices.
+  Outcome hold_one_of(Work& work, Cell_index c)
   {
     const Vertices_3 vertices = arrays().vertices(c);
     Vertex_index strayed = null_index;
     Motion motion, largest;
     for (const Vertex_index v : vertices)
       if (v != infinite_index && !is_held(v)) {
-        motion = motion_of(v);
+        motion = motion_of(work, v);
+        if (!motion.is_mine)
+          return Outcome::LEFT;
         if (strayed == null_index || motion.residual > largest.residual) {
           strayed = v;
           largest = motion;
         }
       }
     if (strayed != null_index) {
-      start_to_hold(strayed, largest);
-      return true;
+      start_to_hold(work, strayed, largest);
+      return Outcome::HELD;
     }
     for (const Vertex_index v : vertices)
-      if (v != infinite_index && wait_farther_back(m_held[m_number[v]]))
-        return true;
-    return false;
+      if (v != infinite_index && can_wait_farther_back(held_of(work, v))) {
+        find_star(work, v);
+        if (is_in_part(work) && !is_star_mine(work))
+          return Outcome::LEFT;
+        wait_farther_back(work, held_of(work, v));
+        return Outcome::HELD;
+      }
+    return Outcome::FAILED;
+  }
+
+  Held& held_of(Work& work, Vertex_index v)
+  {
+    const std::size_t n = m_number[v];
+    return n < work.first ? m_whole.held[n] : work.held[n - work.first];
+  }
+
+  // Whether the part may move the vertex whose star this is: all neighbors are of the part, too.
+  bool is_star_mine(const Work& work) const
+  {
+    return std::all_of(work.star.begin(), work.star.end(), [&](Cell_index c) {
+      const Vertices_3& v = arrays().vertices(c);
+      return std::all_of(v.begin(), v.end(), [&](Vertex_index w) { return work.flips.is_mine(w); });
+    });
+  }
+
+  static bool is_in_part(const Work& work) { return work.flips.part() != Arrays::whole; }
+
+  void find_star(Work& work, Vertex_index v) const
+  {
+    if (is_in_part(work))
+      internal::find_star(arrays(), v, work.in_star, work.star);
+    else
+      internal::find_star(arrays(), v, m_state.marks, work.star);
   }
 
   struct Motion
@@ -243,20 +382,27 @@ private:
     Position_3 mean{0, 0, 0};   // motion of these
     double residual = 0;        // squared distance from where they carry the vertex
     double size = 0;            // mean squared length of the edges to them, before the frame
+    bool is_on_hull = false;
+    bool is_mine = true; // all neighbors belong to the part; else nothing else is known
   };
 
-  Motion motion_of(Vertex_index v)
+  Motion motion_of(Work& work, Vertex_index v) const
   {
-    find_star(arrays(), v, m_state.marks, m_star);
+    find_star(work, v);
     Motion motion;
+    motion.is_mine = !is_in_part(work) || is_star_mine(work);
+    if (!motion.is_mine)
+      return motion;
     double number = 0;
-    for (const Cell_index c : m_star) // neighbors count once for each common cell
-      for (const Vertex_index w : arrays().vertices(c))
+    for (const Cell_index c : work.star) // neighbors count once for each common cell
+      for (const Vertex_index w : arrays().vertices(c)) {
+        motion.is_on_hull = motion.is_on_hull || w == infinite_index;
         if (w != infinite_index && w != v && !is_held(w)) {
           motion.mean = motion.mean + (position(w) - m_previous.position(w));
           motion.size += squared_length(m_previous.position(w) - m_previous.position(v));
           ++number;
         }
+      }
     if (number > 0) {
       motion.has_neighbors = true;
       motion.mean = (1 / number) * motion.mean;
@@ -266,43 +412,36 @@ private:
     return motion;
   }
 
-  void start_to_hold(Vertex_index v, const Motion& motion)
+  void start_to_hold(Work& work, Vertex_index v, const Motion& motion)
   {
     // one that leaves its star need not try to follow
     const bool jumps = motion.residual > 4 * motion.size;
-    m_held.push_back({v, m_state.positions.place(v),
-                      motion.has_neighbors ? Waits::CARRIED : Waits::AT_HOME, !jumps, false, 0});
-    m_number[v] = Index(m_held.size() - 1);
-    move(v, Place(beside_hull(v, m_previous.position(v) +
-                                     (motion.has_neighbors ? motion.mean : m_mean))));
+    work.held.push_back({v, m_state.positions.place(v),
+                         motion.has_neighbors ? Waits::CARRIED : Waits::AT_HOME, !jumps, false, 0});
+    m_number[v] = Index(work.first + work.held.size() - 1);
+    const Position_3 wanted =
+        m_previous.position(v) + (motion.has_neighbors ? motion.mean : m_mean);
+    // on a flat hull it waits in its plane: out of it, it would be the only vertex there
+    move(work, v, Place(motion.is_on_hull ? m_state.along_hull(position(v), wanted) : wanted));
   }
 
-  // Where a vertex is to wait; for one on a flat hull, in its plane: out of it, it would be the
-  // only vertex there.
-  Position_3 beside_hull(Vertex_index v, const Position_3& wanted)
+  bool can_wait_farther_back(const Held& held) const
   {
-    find_star(arrays(), v, m_state.marks, m_star);
-    const bool is_on_hull = std::any_of(m_star.begin(), m_star.end(),
-                                        [this](Cell_index c) { return arrays().is_infinite(c); });
-    return is_on_hull ? m_state.along_hull(position(v), wanted) : wanted;
+    return held.waits == Waits::CARRIED || (m_is_last_attempt && held.waits == Waits::AT_HOME);
   }
-
-  bool wait_farther_back(Held& held)
+  void wait_farther_back(Work& work, Held& held)
   {
     if (held.waits == Waits::CARRIED) {
       held.waits = Waits::AT_HOME;
-      move(held.vertex, home(held.vertex));
-      return true;
+      move(work, held.vertex, home(held.vertex));
+      return;
     }
-    if (!m_is_last_attempt || held.waits == Waits::WHERE_IT_WAS)
-      return false;
     held.waits = Waits::WHERE_IT_WAS;
-    move(held.vertex, m_previous.place(held.vertex));
+    move(work, held.vertex, m_previous.place(held.vertex));
     if (!is_same(m_state.origin, m_old_origin)) {
       m_state.origin = m_old_origin;
       find_all_bad();
     }
-    return true;
   }
 
   static bool is_same(const Position_3& p, const Position_3& q)
@@ -312,34 +451,39 @@ private:
 
   Place home(Vertex_index v) const { return Place(m_previous.position(v) + m_mean); }
 
-  void move(Vertex_index v, const Place& place)
+  void move(Work& work, Vertex_index v, const Place& place)
   {
     m_state.positions.set(v, place);
-    find_star(arrays(), v, m_state.marks, m_star);
-    for (const Cell_index c : m_star)
-      if (!is_positive(c))
-        m_bad.push_back(c);
+    find_star(work, v);
+    for (const Cell_index c : work.star)
+      if (!is_positive(work, c))
+        work.bad.push_back(c);
   }
 
   std::vector<Cell_index> keep_what_is_inverted(const std::vector<Cell_index>& cells) const
   {
+    return keep_what_is_inverted(m_whole, cells);
+  }
+  std::vector<Cell_index> keep_what_is_inverted(const Work& work,
+                                                const std::vector<Cell_index>& cells) const
+  {
     std::vector<Cell_index> inverted;
     for (const Cell_index c : cells)
-      if (!arrays().is_free(c) && !is_positive(c))
+      if (!arrays().is_free(c) && !is_positive(work, c))
         inverted.push_back(c);
     return inverted;
   }
 
   void forbid_flips(int attempt)
   {
-    for (const Cell_index c : m_failed)
+    for (const Cell_index c : m_whole.failed)
       if (!arrays().is_free(c))
         for (const Vertex_index v : arrays().vertices(c)) {
           m_may_right[v] = 0;
           if (attempt == 0 || v == infinite_index)
             continue;
-          find_star(arrays(), v, m_state.marks, m_star);
-          for (const Cell_index other : m_star)
+          find_star(m_whole, v);
+          for (const Cell_index other : m_whole.star)
             for (const Vertex_index w : arrays().vertices(other))
               m_may_right[w] = 0;
         }
@@ -349,50 +493,110 @@ private:
   void start_anew()
   {
     arrays().undo();
-    m_flips.forget_open_facets();
-    for (const Held& held : m_held) {
+    for (const Held& held : m_whole.held) {
       m_state.positions.set(held.vertex, held.target);
       m_number[held.vertex] = null_index;
     }
-    m_held.clear();
+    m_whole.held.clear();
     m_state.origin = m_new_origin;
   }
   void give_up() { start_anew(); }
 
+  // Opens the facets of all cells that have changed, on threads. A flip records each of its cells
+  // some seven times.
   void open_what_has_changed()
   {
-    m_flips.forget_open_facets(); // those of flips that were followed by others
-    arrays().for_each_changed([this](Cell_index c) { m_flips.open_cell(c); });
-    for (const Held& held : m_held)
-      open_star(held.vertex);
-  }
-  void open_star(Vertex_index v)
-  {
-    find_star(arrays(), v, m_state.marks, m_star);
-    for (const Cell_index c : m_star)
-      m_flips.open_cell(c);
+    std::vector<Cell_index> changed, of_held;
+    for (const Held& held : m_whole.held) {
+      find_star(m_whole, held.vertex);
+      of_held.insert(of_held.end(), m_whole.star.begin(), m_whole.star.end());
+    }
+    m_state.marks.clear(arrays().number_of_cells());
+    const auto append = [&](Cell_index c) {
+      if (m_state.marks.insert(c))
+        changed.push_back(c);
+    };
+    arrays().for_each_changed(append);
+    std::for_each(of_held.begin(), of_held.end(), append);
+    Flip_parts_3<State>(m_state).open(m_flips, changed);
   }
 
   // RELEASING -------------------------------------------------------------------------------------
 
-  // Moves one vertex on. Returns whether it could move at all.
-  bool release(std::size_t i)
+  std::vector<Index> waiting_ones() const
   {
-    const Vertex_index v = m_held[i].vertex;
-    const Place from = m_state.positions.place(v), target = m_held[i].target;
+    std::vector<Index> waiting;
+    for (std::size_t i = 0; i < m_whole.held.size(); ++i)
+      if (m_whole.held[i].is_waiting)
+        waiting.push_back(Index(i));
+    return waiting;
+  }
+
+  // Threads release vertices whose neighbors are of one part.
+  void release_in_parts()
+  {
+    std::vector<Index> waiting = waiting_ones();
+    divide_while_worth(
+        m_state, m_previous, parts_of_stars, [&] { return facets_of_cell * waiting.size(); },
+        [&](const Division& division) {
+          std::vector<std::vector<Index>> of_parts(division.number());
+          for (const Index i : waiting)
+            of_parts[division.part_of(m_whole.held[i].vertex)].push_back(i);
+          run_in_parts(division, std::vector<std::vector<Cell_index>>(division.number()),
+                       [&](Work& work) { release_inside(work, of_parts[work.flips.part()]); });
+          m_flips.run();
+          waiting = waiting_ones();
+        });
+  }
+
+  // Those whose stars are of the part, as they remain.
+  void release_inside(Work& work, const std::vector<Index>& waiting)
+  {
+    std::vector<Index> inside;
+    for (const Index i : waiting) {
+      find_star(work, m_whole.held[i].vertex);
+      if (is_star_mine(work))
+        inside.push_back(i);
+    }
+    release(work, inside);
+  }
+
+  void release(Work& work, const std::vector<Index>& waiting)
+  {
+    for (int round = 0; round < rounds; ++round) {
+      bool has_moved = false;
+      for (const Index i : waiting)
+        if (m_whole.held[i].is_waiting)
+          has_moved = release(work, m_whole.held[i]) || has_moved;
+      if (!has_moved)
+        return;
+    }
+  }
+
+  // Moves one vertex on. Returns whether it could move at all.
+  bool release(Work& work, Held& held)
+  {
+    const Vertex_index v = held.vertex;
+    const Place from = m_state.positions.place(v), target = held.target;
+    find_star(work, v);
     for (double way = 1; way >= m_state.smallest_way(); way /= 2) {
       const Place to = way == 1.0 ? target : Place(between(from.position, target.position, way));
-      if (!try_to_move(v, from, to))
+      if (!try_to_move(work, v, from, to))
         continue;
       if (way == 1.0) {
-        m_held[i].is_waiting = false;
-        m_held[i].has_arrived = true;
+        held.is_waiting = false;
+        held.has_arrived = true;
       }
-      open_star(v);
-      m_flips.run();
+      flip_star(work);
       return true;
     }
     return false;
+  }
+  void flip_star(Work& work)
+  {
+    for (const Cell_index c : work.star)
+      work.flips.open_cell(c);
+    work.flips.run();
   }
 
   static Position_3 between(const Position_3& p, const Position_3& q, double way)
@@ -400,71 +604,81 @@ private:
     return p + way * (q - p);
   }
 
-  // Moves a vertex, if its cells stay positive or a few flips make them so.
-  bool try_to_move(Vertex_index v, const Place& from, const Place& to)
+  // Moves a vertex, whose star has been found, if its cells stay positive or a few flips make them
+  // so; then that is its new star.
+  bool try_to_move(Work& work, Vertex_index v, const Place& from, const Place& to)
   {
     m_state.positions.set(v, to);
-    find_star(arrays(), v, m_state.marks, m_star);
-    m_bad.clear();
-    for (const Cell_index c : m_star)
-      if (!is_positive(c)) {
-        m_bad.push_back(c);
-        if (m_bad.size() > most_inverted) {
+    work.bad.clear();
+    for (const Cell_index c : work.star)
+      if (!is_positive(work, c)) {
+        work.bad.push_back(c);
+        if (work.bad.size() > most_inverted) {
           m_state.positions.set(v, from);
           return false;
         }
       }
-    if (m_bad.empty() || right_all_bad(v))
+    if (work.bad.empty() || right_all_bad(work, v))
       return true;
     m_state.positions.set(v, from);
     return false;
   }
 
-  bool right_all_bad(Vertex_index v)
+  bool right_all_bad(Work& work, Vertex_index v)
   {
-    arrays().begin();
+    const std::size_t part = work.flips.part();
+    arrays().begin(part);
     std::vector<Cell_index> left;
-    while (!m_bad.empty()) {
-      const Cell_index c = m_bad.back();
-      m_bad.pop_back();
-      if (!arrays().is_free(c) && !is_positive(c) && !right(c))
+    while (!work.bad.empty()) {
+      const Cell_index c = work.bad.back();
+      work.bad.pop_back();
+      if (!arrays().is_free(c) && !is_positive(work, c) &&
+          !(work.flips.is_mine_with_neighbors(c) && right(work, c)))
         left.push_back(c);
     }
-    find_star(arrays(), v, m_state.marks, m_star);
-    if (keep_what_is_inverted(left).empty() && keep_what_is_inverted(m_star).empty()) {
-      arrays().for_each_changed([this](Cell_index c) { m_flips.open_cell(c); });
-      arrays().commit();
+    find_star(work, v);
+    if (keep_what_is_inverted(work, left).empty() &&
+        keep_what_is_inverted(work, work.star).empty()) {
+      work.in_star.clear(arrays().number_of_cells());
+      arrays().for_each_changed(
+          [&](Cell_index c) {
+            if (work.in_star.insert(c))
+              work.flips.open_cell(c);
+          },
+          part);
+      arrays().commit(part);
       return true;
     }
-    arrays().undo();
-    m_flips.forget_open_facets();
+    arrays().undo(part);
+    find_star(work, v);
     return false;
   }
 
   bool retreat(Vertex_index v)
   {
-    if (is_held(v) && m_held[m_number[v]].retreats >= retreats)
+    if (is_held(v) && m_whole.held[m_number[v]].retreats >= retreats)
       return false;
     const Place from = m_state.positions.place(v);
     if (!is_held(v)) { // before it moves: so an exception loses no position
-      m_held.push_back({v, from, Waits::AT_HOME, false, true, 0});
-      m_number[v] = Index(m_held.size() - 1);
+      m_whole.held.push_back({v, from, Waits::AT_HOME, false, true, 0});
+      m_number[v] = Index(m_whole.held.size() - 1);
     }
-    const Position_3 back = beside_hull(v, home(v).position);
+    const Position_3 wanted = home(v).position;
+    const Position_3 back =
+        motion_of(m_whole, v).is_on_hull ? m_state.along_hull(position(v), wanted) : wanted;
     for (const double way : {1.0, 0.5, 0.25}) {
       const Place to(between(from.position, back, way));
       if (is_same(to.position, from.position))
         continue;
       m_state.positions.set(v, to);
-      find_star(arrays(), v, m_state.marks, m_star);
-      if (!keep_what_is_inverted(m_star).empty())
+      find_star(m_whole, v);
+      if (!keep_what_is_inverted(m_whole.star).empty())
         continue;
-      Held& held = m_held[m_number[v]];
+      Held& held = m_whole.held[m_number[v]];
       held.is_waiting = true;
       held.has_arrived = false;
       ++held.retreats;
-      open_star(v);
-      m_flips.run();
+      flip_star(m_whole);
       return true;
     }
     m_state.positions.set(v, from);
@@ -475,11 +689,11 @@ private:
   const Positions& m_previous;
   Flips& m_flips;
   Position_3 m_mean{0, 0, 0}, m_old_origin{0, 0, 0}, m_new_origin{0, 0, 0};
-  std::vector<Held> m_held;
-  Column<Vertex_index, Index> m_number;   // of a held vertex in that list, else null_index
+  Work m_whole;
+  std::vector<Work> m_parts;              // while threads share them
+  Column<Vertex_index, Index> m_number;   // of a held vertex in its list, else null_index
   Column<Vertex_index, char> m_may_right; // whether cells at a vertex may be flipped away
   bool m_is_last_attempt = false;
-  std::vector<Cell_index> m_bad, m_failed, m_star;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

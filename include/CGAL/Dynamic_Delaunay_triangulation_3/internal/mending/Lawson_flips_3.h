@@ -6,8 +6,11 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Spatial_parts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_signs_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/State_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_arrays_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_set_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,6 +29,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // 1996). Flips may get stuck where several vertices of a facet are in each other's way; such facets
 // are remembered.
 //
+// All this is done in all of the triangulation or, while threads do so elsewhere, in one of the
+// parts of space that `Flip_parts_3` makes.
+//
 // On a torus the same is done with images in the place of vertices, as one chart sees them. A flip
 // replaces cells that are no images of each other, so that all images are flipped at once. For no
 // cell is its own neighbor, by a translation t: of its sites x, y and z at that facet, x - t, y - t
@@ -34,16 +40,36 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // point at infinity in the place of z where it is, x, y, x - t and y - t would be three finite
 // sites in one line.
 template <class State>
-class Lawson_flips_3
+class alignas(64) Lawson_flips_3 // so that threads that have one each share no line of the cache
 {
-  using Signs = typename Signs_of_3<State>::type;
   using Arrays = typename State::Arrays;
   using Site = typename Arrays::Site;
   using Sites = typename Arrays::Sites;
   using Translation = typename Arrays::Translation;
 
 public:
+  using Signs = typename Signs_of_3<State>::type;
   using Flipped = typename Arrays::Flipped;
+  using Division = Spatial_parts_3<typename State::Positions>;
+
+  // The facet opposite to a corner with its vertex. Flips may have changed the cell since; then all
+  // facets around the new cells were opened by them.
+  struct Facet
+  {
+    Corner_index corner;
+    Vertex_index vertex;
+  };
+
+  // Those to be tested: of finite cells, and those between infinite ones.
+  struct Open_facets
+  {
+    void append(const Open_facets& others)
+    {
+      finite.insert(finite.end(), others.finite.begin(), others.finite.end());
+      infinite.insert(infinite.end(), others.infinite.begin(), others.infinite.end());
+    }
+    std::vector<Facet> finite, infinite;
+  };
 
   explicit Lawson_flips_3(State& state)
     : m_state(state)
@@ -58,15 +84,10 @@ public:
   // Gives memory back, too: after a rough frame these lists have some 100 bytes a point.
   void clear()
   {
-    m_finite = std::vector<Facet>();
-    m_infinite = std::vector<Facet>();
+    m_open = Open_facets();
     m_stuck = std::vector<Facet>();
+    m_left = std::vector<Facet>();
     m_number = 0;
-  }
-  void forget_open_facets()
-  {
-    m_finite.clear();
-    m_infinite.clear();
   }
 
   // Opens the facets of a cell, but those that floating point proves legal. No vertex may move
@@ -79,38 +100,98 @@ public:
   template <class Predicate>
   void open_cell(Cell_index c, const Predicate& is_wanted)
   {
-    m_signs.for_each_doubtful(c, [&](int place) {
+    append_doubtful(m_signs, c, is_wanted, m_open);
+  }
+  // The same, but appends them to others. Threads may do so at the same time, each by signs of its
+  // own.
+  template <class Predicate>
+  void append_doubtful(const Signs& signs, Cell_index c, const Predicate& is_wanted,
+                       Open_facets& facets) const
+  {
+    signs.for_each_doubtful(c, [&](int place) {
       if (const Corner_index k = Arrays::corner(c, place); is_wanted(k))
-        open(k);
+        append(k, facets);
     });
   }
-  // Opens the facet opposite to a corner: it is tested, and flipped if it is illegal. Facets
-  // between a finite and an infinite cell are never illegal.
-  void open(Corner_index k)
-  {
-    if (!arrays().is_infinite(Arrays::cell_of(k)))
-      m_finite.push_back({k, arrays().vertex(k)});
-    else if (!Arrays::is_infinite(arrays().site(k)))
-      m_infinite.push_back({k, arrays().vertex(k)});
-  }
+  // Opens the facet opposite to a corner: it is tested, and flipped if it is illegal.
+  void open(Corner_index k) { append(k, m_open); }
+  Open_facets& open_facets() { return m_open; }
 
   // Flips until no facet is open. Facets of the hull come first: finite flips rely on it.
   void run()
   {
     for (;;) {
-      std::vector<Facet>& open = m_infinite.empty() ? m_finite : m_infinite;
-      if (open.empty())
+      run_at_hull();
+      if (m_open.finite.empty())
         return;
-      const Facet facet = open.back();
-      open.pop_back();
-      if (is_there(facet) && is_illegal(facet.corner))
-        if (!flip_illegal(facet.corner))
-          m_stuck.push_back(facet);
+      flip_last(m_open.finite);
     }
+  }
+  // Flips until no facet of the hull is open.
+  void run_at_hull()
+  {
+    while (!m_open.infinite.empty())
+      flip_last(m_open.infinite);
+  }
+
+  // From here on flips in a part alone, for which the arrays have a part of the same number. Facets
+  // that are opened must have their vertices in it, and be finite.
+  void begin_part(const Division& parts, std::size_t part)
+  {
+    m_parts = &parts;
+    m_part = part;
+  }
+  std::size_t part() const { return m_part; }
+  // Whether the vertex belongs to the part in which this flips.
+  bool is_mine(Vertex_index v) const { return m_parts == nullptr || m_parts->has(m_part, v); }
+  // Whether a cell may be flipped with each of its neighbors.
+  bool is_mine_with_neighbors(Cell_index c) const
+  {
+    if (m_parts == nullptr)
+      return true;
+    for (const Vertex_index v : arrays().vertices(c))
+      if (!is_mine(v)) // others may change its neighbors
+        return false;
+    for (int i = 0; i < 4; ++i)
+      if (!is_mine(arrays().apex(Arrays::corner(c, i))))
+        return false;
+    return arrays().can_make_cell(m_part);
+  }
+  // Flips from each of these facets, in turn, until none is open.
+  void run(const std::vector<Facet>& seeds)
+  {
+    for (std::size_t i = 0; i < seeds.size(); ++i) {
+      prefetch_ahead(seeds, i);
+      m_open.finite.push_back(seeds[i]);
+      run();
+    }
+  }
+  // Fetches what facets have around them that come soon in a list: this saves a third of the time
+  // of flips at 100,000 points.
+  void prefetch_ahead(const std::vector<Facet>& facets, std::size_t i) const
+  {
+    prefetch_around(m_state, i, facets.size(),
+                    [&](std::size_t n) { return Arrays::cell_of(facets[n].corner); });
+  }
+  // Whether a facet that was opened is there still.
+  bool is_there(const Facet& facet) const
+  {
+    return Arrays::cell_of(facet.corner) < arrays().number_of_cells() &&
+           arrays().vertex(facet.corner) == facet.vertex;
+  }
+
+  // Takes over what the flips in a part have left: facets that are stuck, and, as open ones, those
+  // for which a flip needs vertices elsewhere, or a new cell for which the part has no number.
+  void append_left(const Lawson_flips_3& part)
+  {
+    m_open.finite.insert(m_open.finite.end(), part.m_left.begin(), part.m_left.end());
+    m_stuck.insert(m_stuck.end(), part.m_stuck.begin(), part.m_stuck.end());
+    m_number += part.m_number;
   }
 
   // Flips a cell that is not positive away, if one flip makes positive cells only and no edge or
-  // facet that exists already. Returns the new cells, none if there is no such flip.
+  // facet that exists already. Returns the new cells, none if there is no such flip. Opens nothing:
+  // other such flips follow.
   Flipped right(Cell_index c)
   {
     for (int i = 0; i < 4; ++i)
@@ -151,13 +232,7 @@ public:
   }
 
 private:
-  // The facet opposite to a corner with its vertex. Flips may have changed the cell since; then all
-  // facets around the new cells were opened by them.
-  struct Facet
-  {
-    Corner_index corner;
-    Vertex_index vertex;
-  };
+  enum class Outcome { FLIPPED, STUCK, LEFT };
 
   // Which of the cells that a flip of a facet would make are not positive.
   struct Outlook
@@ -171,10 +246,24 @@ private:
   Arrays& arrays() { return m_state.arrays; }
   const Arrays& arrays() const { return m_state.arrays; }
 
-  bool is_there(const Facet& facet) const
+  // Facets between a finite and an infinite cell are never illegal.
+  void append(Corner_index k, Open_facets& facets) const
   {
-    return Arrays::cell_of(facet.corner) < arrays().number_of_cells() &&
-           arrays().vertex(facet.corner) == facet.vertex;
+    if (!arrays().is_infinite(Arrays::cell_of(k)))
+      facets.finite.push_back({k, arrays().vertex(k)});
+    else if (!Arrays::is_infinite(arrays().site(k)))
+      facets.infinite.push_back({k, arrays().vertex(k)});
+  }
+
+  void flip_last(std::vector<Facet>& facets)
+  {
+    const Facet facet = facets.back();
+    facets.pop_back();
+    if (!is_there(facet) || !is_illegal(facet.corner))
+      return;
+    const Outcome outcome = flip_illegal(facet.corner);
+    if (outcome != Outcome::FLIPPED)
+      (outcome == Outcome::STUCK ? m_stuck : m_left).push_back(facet);
   }
 
   Outlook outlook(Corner_index k) const
@@ -210,35 +299,42 @@ private:
            arrays().translation(first) == arrays().translation(k) + arrays().translation(second);
   }
 
-  bool flip_illegal(Corner_index k)
+  Outcome flip_illegal(Corner_index k)
   {
+    if (!is_mine(arrays().vertex(k)) || !is_mine(arrays().apex(k)))
+      return Outcome::LEFT;
     const Outlook found = outlook(k);
-    if (found.number == 0) {
-      flip_2_3(k);
-      return true;
-    }
+    if (found.number == 0)
+      return try_flip_2_3(k);
     if (found.number > 1)
-      return false;
-    if (have_common_neighbor(k, found.place)) {
-      if (found.sign == 0)
-        return false;
-      flip_3_2(k, found.place);
-      return true;
-    }
-    return found.sign == 0 && flip_4_4(k, found.place);
+      return Outcome::STUCK;
+    if (!have_common_neighbor(k, found.place))
+      return found.sign == 0 ? flip_4_4(k, found.place) : Outcome::STUCK;
+    if (found.sign == 0)
+      return Outcome::STUCK;
+    open_around(flip_3_2(k, found.place));
+    return Outcome::FLIPPED;
+  }
+
+  Outcome try_flip_2_3(Corner_index k)
+  {
+    if (m_parts != nullptr && !arrays().can_make_cell(m_part))
+      return Outcome::LEFT;
+    open_around(flip_2_3(k));
+    return Outcome::FLIPPED;
   }
 
   // Two cells at the facet opposite to k, two others behind them, around an edge that would be the
   // diagonal of a flat quadrangle; the other diagonal replaces it. With an infinite cell, that is a
   // coplanar face of the hull.
-  bool flip_4_4(Corner_index k, int side)
+  Outcome flip_4_4(Corner_index k, int side)
   {
     const Cell_index c = Arrays::cell_of(k), other = Arrays::cell_of(arrays().mirror(k));
     const Corner_index first = Arrays::corner(c, side), second = opposite_in_mirror(k, side);
     const Cell_index third = arrays().neighbor(c, side);
     const Cell_index fourth = Arrays::cell_of(arrays().mirror(second));
     if (third == fourth || third == c || third == other || fourth == c || fourth == other)
-      return false;
+      return Outcome::STUCK;
     // all in the chart of c
     const Sites s = arrays().sites(c);
     const Translation of_third = arrays().translation(first);
@@ -249,15 +345,16 @@ private:
     const Corner_index between = Arrays::corner(third, place_of_top);
     if (opposite == beyond || arrays().neighbor(third, place_of_top) != fourth ||
         of_third + arrays().translation(between) != of_fourth)
-      return false;
+      return Outcome::STUCK;
     const Sites w = arrays().sites(third);
     for (int i = 0; i < 4; ++i)
       if (i != Arrays::place_of(k) && i != side &&
           m_signs.with(w, arrays().place_of(third, Arrays::translated_back(s[i], of_third)),
                        Arrays::translated_back(beyond, of_third)) <= 0)
-        return false;
+        return Outcome::STUCK;
     const Corner_index behind = arrays().mirror(first);
-    flip_2_3(k);
+    if (!is_mine(Arrays::vertex_of(opposite)) || try_flip_2_3(k) == Outcome::LEFT)
+      return Outcome::LEFT;
     // the flat cell lies between the third one and the edge's other side
     const Corner_index flat = arrays().mirror(behind);
     const Translation of_flat = arrays().translation(behind);
@@ -266,8 +363,8 @@ private:
           Arrays::cell_of(flat),
           Arrays::translated_back(Arrays::translated_back(site, of_third), of_flat));
     };
-    flip_3_2(Arrays::corner(Arrays::cell_of(flat), in_flat(beyond)), in_flat(top));
-    return true;
+    open_around(flip_3_2(Arrays::corner(Arrays::cell_of(flat), in_flat(beyond)), in_flat(top)));
+    return Outcome::FLIPPED;
   }
 
   Flipped flip_right(Corner_index k)
@@ -286,23 +383,23 @@ private:
 
   Flipped flip_2_3(Corner_index k)
   {
-    const Flipped flipped = arrays().flip_2_3(k);
-    open_around(flipped);
-    return flipped;
+    ++m_number;
+    return arrays().flip_2_3(k, m_part);
   }
   Flipped flip_3_2(Corner_index k, int side)
   {
-    const Flipped flipped = arrays().flip_3_2(k, side);
-    open_around(flipped);
-    return flipped;
+    ++m_number;
+    return arrays().flip_3_2(k, side, m_part);
   }
 
   // Opens the facets around new cells. Those between them are legal.
   void open_around(const Flipped& flipped)
   {
-    for (const Corner_index k : flipped.outer)
-      open(k);
-    ++m_number;
+    const auto is_outer = [&](Corner_index k) {
+      return std::find(flipped.outer.begin(), flipped.outer.end(), k) != flipped.outer.end();
+    };
+    for (int n = 0; n < flipped.number; ++n)
+      open_cell(flipped.cells[n], is_outer);
   }
 
   // Whether there is an edge or facet with these sites.
@@ -311,7 +408,10 @@ private:
   {
     if (Arrays::is_infinite(simplex[0])) // its star has the whole hull
       std::swap(simplex[0], simplex[1]);
-    find_star(arrays(), Arrays::vertex_of(simplex[0]), m_state.marks, m_star);
+    if (m_parts == nullptr)
+      find_star(arrays(), Arrays::vertex_of(simplex[0]), m_state.marks, m_star);
+    else
+      find_star(arrays(), Arrays::vertex_of(simplex[0]), m_in_star, m_star);
     return std::any_of(m_star.begin(), m_star.end(),
                        [&](Cell_index c) { return has_simplex(c, simplex); });
   }
@@ -333,10 +433,13 @@ private:
 
   State& m_state;
   Signs m_signs;
-  std::vector<Facet> m_finite, m_infinite; // open
-  std::vector<Facet> m_stuck;
+  const Division* m_parts = nullptr;
+  std::size_t m_part = Arrays::whole; // of these parts
+  Open_facets m_open;
+  std::vector<Facet> m_stuck, m_left;
   std::size_t m_number = 0;
   std::vector<Cell_index> m_star;
+  Cell_set_3 m_in_star;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

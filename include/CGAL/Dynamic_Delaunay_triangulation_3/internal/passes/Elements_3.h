@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Index_of.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3 {
 
@@ -62,6 +63,15 @@ struct Few
 };
 
 using Vertices_3 = Few<Vertex_index, 4>;
+
+// Writes nothing where both are equal, so that threads may read that meanwhile.
+template <class T, int number>
+void exchange_what_differs(Few<T, number>& a, Few<T, number>& b)
+{
+  for (int i = 0; i < number; ++i)
+    if (!(a[i] == b[i]))
+      std::swap(a[i], b[i]);
+}
 
 inline Position_3 operator+(const Position_3& p, const Position_3& v)
 {

@@ -31,6 +31,13 @@ struct alignas(64) Torus_cell_3
     return sites;
   }
   static bool is_free(const Sites& sites) { return sites[0].vertex == null_index; }
+  void exchange(Torus_cell_3& other)
+  {
+    exchange_what_differs(vertices, other.vertices);
+    exchange_what_differs(shifts, other.shifts);
+    exchange_what_differs(mirrors, other.mirrors);
+    exchange_what_differs(translations, other.translations);
+  }
 
   Vertices_3 vertices;
   Shifts_3 shifts;
@@ -101,10 +108,10 @@ public:
 
   // CHANGES ---------------------------------------------------------------------------------------
 
-  void set_sites(Cell_index c, const Torus_sites_3& sites)
+  void set_sites(Cell_index c, const Torus_sites_3& sites, std::size_t part = whole)
   {
-    record(c);
-    note(c);
+    record(c, part);
+    note(c, part);
     for (int i = 0; i < 4; ++i) {
       m_cells[c].vertices[i] = sites[i].vertex;
       m_cells[c].shifts[i] = sites[i].shift;
@@ -113,10 +120,10 @@ public:
   }
 
   // Makes two corners each other's mirror. The translation takes the chart of l's cell to k's.
-  void connect(Corner_index k, Corner_index l, Torus_shift_3 translation)
+  void connect(Corner_index k, Corner_index l, Torus_shift_3 translation, std::size_t part = whole)
   {
-    meet(cell_of(k));
-    meet(cell_of(l));
+    meet(cell_of(k), part);
+    meet(cell_of(l), part);
     set_mirror(k, l, translation);
     set_mirror(l, k, -translation);
   }
@@ -131,7 +138,7 @@ public:
 
   // Replaces the two different cells at the facet opposite to k by three around the edge from the
   // vertex of k to the one beyond.
-  Flipped flip_2_3(Corner_index k)
+  Flipped flip_2_3(Corner_index k, std::size_t part = whole)
   {
     const Cell_index first = cell_of(k), second = cell_of(mirror(k));
     CGAL_precondition(first != second);
@@ -143,7 +150,7 @@ public:
     for (int i = 0, n = 0; i < 4; ++i)
       if (i != top)
         around[n++] = i;
-    Flipped flipped{{first, second, make_cell()}, 3, {}};
+    Flipped flipped{{first, second, make_cell(part)}, 3, {}};
     Few<Outer_facet, 6> outer;
     for (int n = 0; n < 3; ++n) {
       const Torus_site_3 s = a[around[n]];
@@ -155,14 +162,15 @@ public:
     for (int n = 0; n < 3; ++n) {
       Torus_sites_3 s = a;
       s[around[n]] = beyond;
-      set_sites(flipped.cells[n], s);
+      set_sites(flipped.cells[n], s, part);
     }
     for (int n = 0; n < 3; ++n)
       for (int m = 0; m < n; ++m)
-        connect(corner(flipped.cells[n], around[m]), corner(flipped.cells[m], around[n]), {});
-    connect_outer(outer, [=](Cell_index c) { return c == first || c == second; });
+        connect(corner(flipped.cells[n], around[m]), corner(flipped.cells[m], around[n]), {}, part);
+    connect_outer(
+        outer, [=](Cell_index c) { return c == first || c == second; }, part);
     for (const Cell_index c : flipped.cells)
-      normalize(c);
+      normalize(c, part);
     flipped.outer = new_corners(outer);
     return flipped;
   }
@@ -170,7 +178,7 @@ public:
   // Replaces the three different cells around an edge by two: the two at the facet opposite to k,
   // and their common neighbor opposite to the vertex at `side` in the cell of k. The edge joins the
   // other two vertices.
-  Flipped flip_3_2(Corner_index k, int side)
+  Flipped flip_3_2(Corner_index k, int side, std::size_t part = whole)
   {
     const Cell_index first = cell_of(k), second = cell_of(mirror(k)), third = neighbor(first, side);
     CGAL_precondition(first != second && first != third && second != third);
@@ -197,13 +205,14 @@ public:
     Torus_sites_3 s = a, t = a;
     s[q] = beyond;
     t[p] = beyond;
-    drop_cell(third);
-    set_sites(first, s);
-    set_sites(second, t);
-    connect(corner(first, p), corner(second, q), {});
-    connect_outer(outer, [=](Cell_index c) { return c == first || c == second || c == third; });
-    normalize(first);
-    normalize(second);
+    drop_cell(third, part);
+    set_sites(first, s, part);
+    set_sites(second, t, part);
+    connect(corner(first, p), corner(second, q), {}, part);
+    connect_outer(
+        outer, [=](Cell_index c) { return c == first || c == second || c == third; }, part);
+    normalize(first, part);
+    normalize(second, part);
     return {{first, second, null_index}, 2, new_corners(outer)};
   }
 
@@ -230,7 +239,8 @@ public:
   // Connects new cells with what is behind outer facets: a cell that stays, or a new one, if what
   // was there is replaced, too.
   template <class Outer_facets, class Predicate>
-  void connect_outer(const Outer_facets& outer, const Predicate& is_replaced)
+  void connect_outer(const Outer_facets& outer, const Predicate& is_replaced,
+                     std::size_t part = whole)
   {
     for (const Outer_facet& facet : outer) {
       const Outer_facet* other = nullptr;
@@ -239,24 +249,24 @@ public:
           if (candidate.from == facet.mirror)
             other = &candidate;
       if (other == nullptr)
-        connect(facet.to, facet.mirror, facet.translation);
+        connect(facet.to, facet.mirror, facet.translation, part);
       else
-        connect(facet.to, other->to, facet.translation - other->shift);
+        connect(facet.to, other->to, facet.translation - other->shift, part);
     }
   }
 
   // Moves the chart of a cell, so that its first finite vertex has the shift 0.
-  void normalize(Cell_index c)
+  void normalize(Cell_index c, std::size_t part = whole)
   {
     const Torus_shift_3 shift = first_finite_site(c).shift;
     if (shift == Torus_shift_3())
       return;
-    record(c);
+    record(c, part);
     for (int i = 0; i < 4; ++i)
       m_cells[c].shifts[i] = (site(corner(c, i)) - shift).shift;
     for (int i = 0; i < 4; ++i) {
       const Corner_index l = m_cells[c].mirrors[i];
-      record(cell_of(l));
+      record(cell_of(l), part);
       Cell& other = m_cells[cell_of(l)];
       m_cells[c].translations[i] = m_cells[c].translations[i] - shift;
       other.translations[place_of(l)] = other.translations[place_of(l)] + shift;

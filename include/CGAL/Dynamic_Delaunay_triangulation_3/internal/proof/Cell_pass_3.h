@@ -184,19 +184,24 @@ struct Pass_view_3
   const Position_3* positions;
 };
 
-// Calls append(first, beyond, unproved) for parts of the cells, on threads, and puts what they
-// append together, in order.
+// Calls append(first, beyond, list) for parts of a range, on threads, and appends these lists in
+// order.
+template <class Parts, class List, class Append>
+void append_by_parts(std::size_t size, std::size_t least, const Append& append, List& all)
+{
+  const std::size_t parts = Parts::number(size, least);
+  std::array<List, Parts::max_parts> lists;
+  Parts::for_each(size, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
+    append(first, beyond, parts == 1 ? all : lists[part]);
+  });
+  for (std::size_t part = 0; part < parts && parts > 1; ++part)
+    all.append(lists[part]);
+}
 template <class State, class Append>
 void append_by_parts(const State& state, const Append& append, Unproved_cells_3& unproved)
 {
   using Parts = typename State::Parts;
-  const std::size_t cells = state.arrays.number_of_cells(), parts = Parts::number(cells);
-  std::array<Unproved_cells_3, Parts::max_parts> lists;
-  Parts::for_each(cells, [&](std::size_t part, std::size_t first, std::size_t beyond) {
-    append(first, beyond, parts == 1 ? unproved : lists[part]);
-  });
-  for (std::size_t part = 0; part < parts && parts > 1; ++part)
-    unproved.append(lists[part]);
+  append_by_parts<Parts>(state.arrays.number_of_cells(), Parts::usual_size, append, unproved);
 }
 
 // Finds the cells that floating point does not prove positive with legal facets, on threads; each

@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/assertions.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_history_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Safe_cells_3.h>
@@ -33,8 +34,8 @@ inline std::size_t with_reserve(std::size_t cells)
 // positions.
 //
 // This is what open space and a torus have in common: numbers of cells, walks, gaps, and
-// transactions. A `Cell` has `vertices`, `mirrors` and `sites()`, and whatever else the space
-// needs.
+// transactions. A `Cell` has `vertices`, `mirrors`, `sites()` and `exchange()`, which writes only
+// what differs from another cell, and whatever else the space needs.
 template <class Cell_of_space>
 class Cell_arrays_3
 {
@@ -48,6 +49,10 @@ public:
 
   const Cell& cell(Cell_index c) const { return m_cells[c]; }
   const Cell* cells() const { return m_cells.data(); }
+  void prefetch(Cell_index c) const
+  {
+    Dynamic_Delaunay_triangulations_2::internal::prefetch(m_cells.data() + c);
+  }
   const Vertices_3& vertices(Cell_index c) const { return m_cells[c].vertices; }
   static Cell_index cell_of(Corner_index k) { return Cell_index(k / 4); }
   static int place_of(Corner_index k) { return int(k % 4); }
@@ -72,8 +77,8 @@ public:
       m_history.give_up(m_cells);
     m_cells.clear();
     m_safe_cells.stop();
-    m_free.clear();
-    m_is_recording = false;
+    m_log = Log();
+    m_logs.clear();
   }
   // Starts with so many vertices, number 0 included, and no cells, but memory for as many as random
   // points have.
@@ -86,33 +91,28 @@ public:
   void resize_vertices(Index number) { m_corners.resize(number, null_index); }
   void pop_vertex() { m_corners.pop_back(); }
 
-  Cell_index make_cell()
+  // What follows is done in all of the cells, or in one of some parts (see below).
+  static constexpr std::size_t whole = std::size_t(-1);
+
+  Cell_index make_cell(std::size_t part = whole)
   {
-    Cell_index c;
-    if (m_free.empty()) {
-      if (m_cells.size() >= max_cells)
-        throw std::length_error("the triangulation would have more than 2^30 - 1 cells");
-      c = Cell_index(m_cells.size());
-      if (m_cells.size() == m_cells.capacity()) // doubling would take 200 bytes a point
-        m_cells.reserve(with_reserve(m_cells.size()));
-      m_cells.push_back(free_cell());
-      m_safe_cells.resize(m_cells.size());
-      note(c);
-    } else {
-      c = m_free.back();
-      m_free.pop_back();
-    }
-    if (m_is_recording)
-      m_made.push_back(c);
+    if (part == whole && m_log.free.empty())
+      append_free_cell();
+    Log& mine = log(part);
+    const Cell_index c = mine.free.back();
+    mine.free.pop_back();
+    if (mine.is_recording)
+      mine.made.push_back(c);
     return c;
   }
 
-  void drop_cell(Cell_index c)
+  void drop_cell(Cell_index c, std::size_t part = whole)
   {
-    record(c);
-    note(c);
+    record(c, part);
+    note(c, part);
     m_cells[c] = free_cell();
-    (m_is_recording ? m_dropped : m_free).push_back(c);
+    Log& mine = log(part);
+    (mine.is_recording ? mine.dropped : mine.free).push_back(c);
   }
 
   // Lets walks around its vertex begin at a corner.
@@ -122,15 +122,15 @@ public:
   // Moves the last cells to the numbers of free ones.
   void close_gaps()
   {
-    std::sort(m_free.begin(), m_free.end());
-    for (const Cell_index c : m_free) {
+    std::sort(m_log.free.begin(), m_log.free.end());
+    for (const Cell_index c : m_log.free) {
       drop_free_ones_at_end();
       if (c >= m_cells.size())
         break;
       move_last_cell_to(c);
     }
     drop_free_ones_at_end();
-    m_free.clear();
+    m_log.free.clear();
   }
 
   // Gives the vertex `from`, whose star is given, the number `to`.
@@ -191,40 +191,82 @@ public:
   // TRANSACTIONS ----------------------------------------------------------------------------------
 
   // Between begin() and commit() or undo(), what is overwritten is recorded.
-  void begin()
+  void begin(std::size_t part = whole)
   {
-    CGAL_precondition(!m_is_recording);
-    m_is_recording = true;
-    m_record.clear();
-    m_made.clear();
-    m_dropped.clear();
+    Log& mine = log(part);
+    CGAL_precondition(!mine.is_recording);
+    mine.is_recording = true;
+    mine.record.clear();
+    mine.made.clear();
+    mine.dropped.clear();
   }
-  void commit()
+  void commit(std::size_t part = whole)
   {
-    m_is_recording = false;
-    m_free.insert(m_free.end(), m_dropped.begin(), m_dropped.end());
+    Log& mine = log(part);
+    mine.is_recording = false;
+    mine.free.insert(mine.free.end(), mine.dropped.begin(), mine.dropped.end());
   }
-  void undo()
+  void undo(std::size_t part = whole)
   {
-    m_is_recording = false;
-    for (std::size_t i = m_record.size(); i-- > 0;)
-      m_cells[m_record[i].first] = m_record[i].second;
-    for (const Cell_index c : m_made)
+    Log& mine = log(part);
+    mine.is_recording = false;
+    for (std::size_t i = mine.record.size(); i-- > 0;)
+      m_cells[mine.record[i].first].exchange(mine.record[i].second);
+    for (const Cell_index c : mine.made)
       m_cells[c] = free_cell();
-    for (const auto& [c, cell] : m_record)
-      if (!is_free(c))
+    // not of cells that have got other neighbors only: their vertices may be of other parts
+    for (const auto& [c, replaced] : mine.record)
+      if (!is_free(c) && !(replaced.vertices == vertices(c)))
         for (int i = 0; i < 4; ++i)
           m_corners[vertices(c)[i]] = corner(c, i);
-    m_free.insert(m_free.end(), m_made.begin(), m_made.end());
+    mine.free.insert(mine.free.end(), mine.made.begin(), mine.made.end());
   }
   // Calls f(c) for each cell that was changed or made since begin() and exists; for some
   // repeatedly.
   template <class Function>
-  void for_each_changed(const Function& f) const
+  void for_each_changed(const Function& f, std::size_t part = whole) const
   {
-    for (const auto& [c, cell] : m_record)
+    for (const auto& [c, cell] : log(part).record)
       if (!is_free(c))
         f(c);
+  }
+
+  // PARTS -----------------------------------------------------------------------------------------
+
+  // Threads may change different parts of the cells at the same time, if each cell and each vertex
+  // belongs to one part at most. Each part has free cells and transactions of its own. A
+  // transaction of all that is going on when they begin records what they change.
+
+  // Begins with free_cells(part) free cells in each part, if there are numbers for them.
+  template <class Number>
+  void begin_parts(std::size_t parts, const Number& free_cells)
+  {
+    m_logs.resize(parts);
+    for (std::size_t part = 0; part < parts; ++part) {
+      m_logs[part].is_recording = m_log.is_recording;
+      for (std::size_t n = free_cells(part); n > 0 && can_make_cell(); --n) {
+        if (m_log.free.empty())
+          append_free_cell();
+        m_logs[part].free.push_back(m_log.free.back());
+        m_log.free.pop_back();
+      }
+    }
+    if (m_history.is_on())
+      m_history.begin_parts(parts);
+  }
+  void end_parts()
+  {
+    for (Log& part : m_logs) {
+      m_log.append(part);
+      part = Log(); // in rough frames records are large
+    }
+    m_logs.clear();
+    m_history.join_parts();
+  }
+  // Whether a cell can be made in a part, or in all.
+  bool can_make_cell(std::size_t part = whole) const
+  {
+    return !log(part).free.empty() || (part == whole && m_cells.size() < max_cells);
   }
 
   // HISTORY ---------------------------------------------------------------------------------------
@@ -264,23 +306,27 @@ public:
 
 protected:
   // To be called before the vertices of a cell change.
-  void note(Cell_index c)
+  void note(Cell_index c, std::size_t part = whole)
   {
-    if (m_history.is_on())
+    if (!m_history.is_on())
+      return;
+    if (part == whole)
       m_history.note(c, m_cells[c]);
+    else
+      m_history.note(c, m_cells[c], part);
   }
 
   // To be called before a cell gets another neighbor, as all do whose vertices change.
-  void meet(Cell_index c)
+  void meet(Cell_index c, std::size_t part = whole)
   {
     m_safe_cells.forget(c);
-    record(c);
+    record(c, part);
   }
 
-  void record(Cell_index c)
+  void record(Cell_index c, std::size_t part = whole)
   {
-    if (m_is_recording)
-      m_record.emplace_back(c, m_cells[c]);
+    if (Log& mine = log(part); mine.is_recording)
+      mine.record.emplace_back(c, m_cells[c]);
   }
 
   Column<Cell_index, Cell> m_cells;
@@ -293,6 +339,41 @@ private:
     cell.vertices = {null_index, null_index, null_index, null_index};
     cell.mirrors = {null_index, null_index, null_index, null_index};
     return cell;
+  }
+
+  // What changes use up and record: of all, or of a part, in lines of the cache of its own.
+  struct alignas(64) Log
+  {
+    void append(const Log& part)
+    {
+      free.insert(free.end(), part.free.begin(), part.free.end());
+      if (!is_recording)
+        return;
+      record.insert(record.end(), part.record.begin(), part.record.end());
+      made.insert(made.end(), part.made.begin(), part.made.end());
+      dropped.insert(dropped.end(), part.dropped.begin(), part.dropped.end());
+    }
+
+    std::vector<Cell_index> free;
+    bool is_recording = false;
+    std::vector<std::pair<Cell_index, Cell>> record; // what was overwritten, in order
+    std::vector<Cell_index> made, dropped;
+  };
+
+  Log& log(std::size_t part) { return part == whole ? m_log : m_logs[part]; }
+  const Log& log(std::size_t part) const { return part == whole ? m_log : m_logs[part]; }
+
+  void append_free_cell()
+  {
+    if (m_cells.size() >= max_cells)
+      throw std::length_error("the triangulation would have more than 2^30 - 1 cells");
+    const Cell_index c(m_cells.size());
+    if (m_cells.size() == m_cells.capacity()) // doubling would take 200 bytes a point
+      m_cells.reserve(with_reserve(m_cells.size()));
+    m_cells.push_back(free_cell());
+    m_safe_cells.resize(m_cells.size());
+    note(c);
+    m_log.free.push_back(c);
   }
 
   void drop_free_ones_at_end()
@@ -317,10 +398,8 @@ private:
     m_cells.pop_back();
   }
 
-  std::vector<Cell_index> m_free;
-  bool m_is_recording = false;
-  std::vector<std::pair<Cell_index, Cell>> m_record; // what was overwritten, in order
-  std::vector<Cell_index> m_made, m_dropped;
+  Log m_log;
+  std::vector<Log> m_logs; // of parts, between begin_parts() and end_parts()
   Cell_history_3<Cell> m_history;
   Safe_cells_3 m_safe_cells;
 };
@@ -375,9 +454,11 @@ private:
   Mark m_mark = 0;
 };
 
-// Lists the cells around a vertex, each once, also one that has several images of it.
-template <class Cell>
-void find_star(const Cell_arrays_3<Cell>& arrays, Vertex_index v, Cell_marks_3& marks,
+// Lists the cells around a vertex, each once, also one that has several images of it. `Marks` are
+// those of all cells, or a set of few. In a part (see Cell_arrays_3) to which the vertex belongs,
+// nothing is read that changes in another part.
+template <class Cell, class Marks>
+void find_star(const Cell_arrays_3<Cell>& arrays, Vertex_index v, Marks& marks,
                std::vector<Cell_index>& star)
 {
   star.clear();
@@ -392,9 +473,9 @@ void find_star(const Cell_arrays_3<Cell>& arrays, Vertex_index v, Cell_marks_3& 
       for (const Vertex_index w : cell.vertices)
         images += w == v;
     for (int i = 0; i < 4; ++i)
-      if (const Cell_index c = arrays.cell_of(cell.mirrors[i]);
-          (cell.vertices[i] != v || images > 1) && marks.insert(c))
-        star.push_back(c);
+      if (cell.vertices[i] != v || images > 1)
+        if (const Cell_index c = arrays.cell_of(cell.mirrors[i]); marks.insert(c))
+          star.push_back(c);
   }
 }
 

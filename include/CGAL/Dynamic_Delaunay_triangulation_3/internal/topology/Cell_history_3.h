@@ -26,6 +26,7 @@ public:
   void begin()
   {
     m_former.clear();
+    m_of_parts.clear();
     m_given_up.clear();
     m_are_given_up = false;
     m_is_on = true;
@@ -40,6 +41,22 @@ public:
   bool is_on() const { return m_is_on && !m_are_given_up; }
   void note(Cell_index c, const Cell& cell) { m_former.push_back({c, cell.sites()}); }
 
+  // The same from threads, each in parts of its own, up to join_parts().
+  void begin_parts(std::size_t number) { m_of_parts.resize(number); }
+  void note(Cell_index c, const Cell& cell, std::size_t part)
+  {
+    m_of_parts[part].former.push_back({c, cell.sites()});
+  }
+  // If it throws, it can be called again.
+  void join_parts()
+  {
+    for (Part& part : m_of_parts) {
+      m_former.insert(m_former.end(), part.former.begin(), part.former.end());
+      part.former.clear();
+    }
+    m_of_parts.clear();
+  }
+
   // All cells are given up. Takes them instead of copying, so that nothing is thrown.
   void give_up(Column<Cell_index, Cell>& cells)
   {
@@ -51,6 +68,7 @@ public:
   // To be called before the functions below: of what was noted of a cell, the first remains.
   void finish()
   {
+    join_parts(); // which an exception may have left
     std::stable_sort(m_former.begin(), m_former.end(),
                      [](const Former& a, const Former& b) { return a.cell < b.cell; });
     m_former.erase(std::unique(m_former.begin(), m_former.end(),
@@ -86,6 +104,11 @@ private:
     Sites sites;
   };
 
+  struct alignas(64) Part // in a line of the cache of its own
+  {
+    std::vector<Former> former;
+  };
+
   // Those that were noted, and of `others` those that were not.
   template <class Function>
   void for_each_former(const Column<Cell_index, Cell>& others, const Function& f) const
@@ -109,6 +132,7 @@ private:
 
   bool m_is_on = false, m_are_given_up = false;
   std::vector<Former> m_former;
+  std::vector<Part> m_of_parts;
   Column<Cell_index, Cell> m_given_up; // as they were then
 };
 

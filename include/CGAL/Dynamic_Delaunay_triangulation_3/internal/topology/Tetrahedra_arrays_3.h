@@ -25,6 +25,11 @@ struct Tetrahedron_3
 
   const Sites& sites() const { return vertices; }
   static bool is_free(const Sites& sites) { return sites[0] == null_index; }
+  void exchange(Tetrahedron_3& other)
+  {
+    exchange_what_differs(vertices, other.vertices);
+    exchange_what_differs(mirrors, other.mirrors);
+  }
 
   Vertices_3 vertices;
   Few<Corner_index, 4> mirrors;
@@ -75,20 +80,20 @@ public:
 
   // CHANGES ---------------------------------------------------------------------------------------
 
-  void set_vertices(Cell_index c, const Vertices_3& v)
+  void set_vertices(Cell_index c, const Vertices_3& v, std::size_t part = whole)
   {
-    record(c);
-    note(c);
+    record(c, part);
+    note(c, part);
     m_cells[c].vertices = v;
     for (int i = 0; i < 4; ++i)
       m_corners[v[i]] = corner(c, i);
   }
 
   // Makes two corners each other's mirror.
-  void connect(Corner_index k, Corner_index l)
+  void connect(Corner_index k, Corner_index l, std::size_t part = whole)
   {
-    meet(cell_of(k));
-    meet(cell_of(l));
+    meet(cell_of(k), part);
+    meet(cell_of(l), part);
     m_cells[cell_of(k)].mirrors[place_of(k)] = l;
     m_cells[cell_of(l)].mirrors[place_of(l)] = k;
   }
@@ -103,7 +108,7 @@ public:
 
   // Replaces the two cells at the facet opposite to k by three around the edge from the vertex of k
   // to the one beyond.
-  Flipped flip_2_3(Corner_index k)
+  Flipped flip_2_3(Corner_index k, std::size_t part = whole)
   {
     const Cell_index first = cell_of(k), second = cell_of(mirror(k));
     const int top = place_of(k);
@@ -113,20 +118,21 @@ public:
     for (int i = 0, n = 0; i < 4; ++i)
       if (i != top)
         around[n++] = i;
-    Flipped flipped{{first, second, make_cell()}, 3, {}};
+    Flipped flipped{{first, second, make_cell(part)}, 3, {}};
     Few<Corner_index, 3> below;
     for (int n = 0; n < 3; ++n)
       below[n] = b.mirrors[place_of_known(b, a.vertices[around[n]])];
     for (int n = 0; n < 3; ++n) {
       Vertices_3 v = a.vertices;
       v[around[n]] = beyond;
-      set_vertices(flipped.cells[n], v);
+      set_vertices(flipped.cells[n], v, part);
     }
     for (int n = 0; n < 3; ++n) {
-      connect(flipped.outer[2 * n] = corner(flipped.cells[n], around[n]), a.mirrors[around[n]]);
-      connect(flipped.outer[2 * n + 1] = corner(flipped.cells[n], top), below[n]);
+      connect(flipped.outer[2 * n] = corner(flipped.cells[n], around[n]), a.mirrors[around[n]],
+              part);
+      connect(flipped.outer[2 * n + 1] = corner(flipped.cells[n], top), below[n], part);
       for (int m = 0; m < n; ++m)
-        connect(corner(flipped.cells[n], around[m]), corner(flipped.cells[m], around[n]));
+        connect(corner(flipped.cells[n], around[m]), corner(flipped.cells[m], around[n]), part);
     }
     return flipped;
   }
@@ -134,7 +140,7 @@ public:
   // Replaces the three cells around an edge by two: the two at the facet opposite to k, and their
   // common neighbor opposite to the vertex at `side` in the cell of k. The edge joins the other two
   // vertices.
-  Flipped flip_3_2(Corner_index k, int side)
+  Flipped flip_3_2(Corner_index k, int side, std::size_t part = whole)
   {
     const Cell_index first = cell_of(k), second = cell_of(mirror(k)), third = neighbor(first, side);
     const int top = place_of(k);
@@ -152,20 +158,20 @@ public:
     Vertices_3 v = a.vertices, w = a.vertices;
     v[q] = beyond;
     w[p] = beyond;
-    drop_cell(third);
-    set_vertices(first, v);
-    set_vertices(second, w);
+    drop_cell(third, part);
+    set_vertices(first, v, part);
+    set_vertices(second, w, part);
     const Flipped flipped{{first, second, null_index},
                           2,
                           {corner(first, top), corner(first, q), corner(first, side),
                            corner(second, top), corner(second, p), corner(second, side)}};
-    connect(flipped.outer[0], at_p[1]);
-    connect(flipped.outer[1], at_p[0]);
-    connect(flipped.outer[2], at_p[2]);
-    connect(flipped.outer[3], at_q[1]);
-    connect(flipped.outer[4], at_q[0]);
-    connect(flipped.outer[5], at_q[2]);
-    connect(corner(first, p), corner(second, q));
+    connect(flipped.outer[0], at_p[1], part);
+    connect(flipped.outer[1], at_p[0], part);
+    connect(flipped.outer[2], at_p[2], part);
+    connect(flipped.outer[3], at_q[1], part);
+    connect(flipped.outer[4], at_q[0], part);
+    connect(flipped.outer[5], at_q[2], part);
+    connect(corner(first, p), corner(second, q), part);
     return flipped;
   }
 

@@ -6,9 +6,11 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Flip_parts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Held_vertices_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Calm_frames_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/State_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Chosen_rebuilds_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Waiting_points_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Whole_rebuild_3.h>
@@ -40,6 +42,8 @@ class Update_3
   using Point = typename State::Point;
   using Place = typename State::Place;
   using Reason = Rebuild_reason_2;
+  using Parts = typename State::Parts;
+  using Flips = Lawson_flips_3<State>;
 
 public:
   using Frame = Dynamic_frame_3<State>;
@@ -48,6 +52,7 @@ public:
   explicit Update_3(State& state)
     : m_state(state)
     , m_flips(state)
+    , m_flip_parts(state)
     , m_held(state, m_other.positions, m_flips)
     , m_waiting(state, m_other.positions, m_flips)
     , m_rebuild(state)
@@ -188,15 +193,15 @@ private:
       return Reason::TOO_MUCH_BROKEN;
     examine_unproved();
     const std::size_t vertices = m_state.number_of_vertices();
-    if (m_bad.size() > few_inverted + vertices / inverted_share)
+    if (m_examined.bad.size() > few_inverted + vertices / inverted_share)
       return Reason::TOO_MUCH_BROKEN;
     m_held.begin(mean, old_origin);
-    const bool is_held = m_held.hold(m_bad, few_held + vertices / held_share);
+    const bool is_held = m_held.hold(m_examined.bad, few_held + vertices / held_share);
     m_report.held = m_held.number();
     if (!is_held)
       return Reason::TOO_MUCH_BROKEN;
     open_illegal();
-    m_flips.run();
+    m_flip_parts.run(m_flips);
     m_held.release();
     // only from a Delaunay triangulation can vertices be taken out, or be inserted into it
     if (!unstick() || !m_proof.go_on_to_cover_once())
@@ -206,7 +211,6 @@ private:
 
   Position_3 mean_motion() const
   {
-    using Parts = typename State::Parts;
     const std::size_t vertices = m_state.number_of_vertices();
     const double share = 1 / double(vertices);
     std::array<Position_3, Parts::max_parts> sums{};
@@ -222,14 +226,21 @@ private:
     return sum;
   }
 
-  // Finds cells that are not positive, and open facets.
+  // Tells the cells that are not positive from others, on threads.
   void examine_unproved()
   {
-    m_bad.clear();
-    m_open.clear();
+    m_examined = Examined_cells();
     for (const std::vector<Cell_index>* cells : {&m_unproved.finite, &m_unproved.infinite})
-      for (const Cell_index c : *cells)
-        (m_flips.is_positive(c) ? m_open : m_bad).push_back(c);
+      append_by_parts<typename State::Exact_parts>(
+          cells->size(), least_tested_3<Parts>,
+          [&](std::size_t i, std::size_t beyond, Examined_cells& examined) {
+            const typename Flips::Signs signs(m_state);
+            for (; i < beyond; ++i) {
+              prefetch_around<false>(m_state, *cells, i);
+              examined.append((*cells)[i], signs.is_positive(m_state.arrays.sites((*cells)[i])));
+            }
+          },
+          m_examined);
   }
   // Whether so many cells are broken that flips cost more than a rebuild, or get stuck, as after
   // the first motion of a lattice. A sample tells broken cells from those with ties.
@@ -259,17 +270,15 @@ private:
   {
     Cell_marks_3& marks = m_state.marks;
     marks.clear(m_state.arrays.number_of_cells());
-    for (const std::vector<Cell_index>* cells : {&m_bad, &m_open})
+    for (const std::vector<Cell_index>* cells : {&m_examined.bad, &m_examined.positive})
       for (const Cell_index c : *cells)
         marks.insert(c);
     const auto is_first = [&](Corner_index k) {
       const Corner_index mirror = m_state.arrays.mirror(k);
       return k < mirror || !marks.has(Arrays::cell_of(mirror));
     };
-    for (const std::vector<Cell_index>* cells : {&m_bad, &m_open})
-      for (const Cell_index c : *cells)
-        if (!m_state.arrays.is_free(c))
-          m_flips.open_cell(c, is_first);
+    for (const std::vector<Cell_index>* cells : {&m_examined.bad, &m_examined.positive})
+      m_flip_parts.open(m_flips, *cells, is_first);
   }
 
   // Where flips are stuck, a vertex steps back, and is released again. False where that is
@@ -308,6 +317,18 @@ private:
     return true;
   }
 
+  // Of the cells that were not proved.
+  struct Examined_cells
+  {
+    void append(Cell_index c, bool is_positive) { (is_positive ? positive : bad).push_back(c); }
+    void append(const Examined_cells& others)
+    {
+      bad.insert(bad.end(), others.bad.begin(), others.bad.end());
+      positive.insert(positive.end(), others.positive.begin(), others.positive.end());
+    }
+    std::vector<Cell_index> bad, positive; // an inverted or flat cell is bad
+  };
+
   static constexpr std::size_t sample = 64; // cells
   static constexpr std::size_t few_inverted = 16, inverted_share = 4, few_held = 20, held_share = 8;
   static constexpr std::size_t few_stuck = 16, stuck_share = 1024; // facets
@@ -317,7 +338,8 @@ private:
   bool m_is_certified = true;     // no points are triangulated
   typename State::Staged m_other; // from the exchange on, those of the last frame
   Calm_frames_3<State> m_calm_frames;
-  Lawson_flips_3<State> m_flips;
+  Flips m_flips;
+  Flip_parts_3<State> m_flip_parts;
   Held_vertices_3<State> m_held;
   Waiting_points_3<Space> m_waiting;
   Whole_rebuild_3<Space> m_rebuild;
@@ -325,7 +347,7 @@ private:
 
   Update_report_3 m_report;
   Unproved_cells_3 m_unproved;
-  std::vector<Cell_index> m_bad, m_open; // of the unproved ones: not positive, positive
+  Examined_cells m_examined;
 };
 
 // Defined outside of the class, so that they are not inline: where they are declared extern,
@@ -374,8 +396,7 @@ Update_report_3 Update_3<Space>::run(const Change_3<Point>& change, const Chosen
   m_report.flips += m_flips.number_of_flips();
   m_flips.clear();
   m_unproved = Unproved_cells_3();
-  m_bad = std::vector<Cell_index>();
-  m_open = std::vector<Cell_index>();
+  m_examined = Examined_cells();
   m_report.certified = m_is_certified = true;
   return m_report;
 }
