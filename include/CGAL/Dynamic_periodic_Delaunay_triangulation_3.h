@@ -43,6 +43,11 @@ that are farthest to either side. They cover it once; if all points are in one s
 no cells, only facets and edges of the Delaunay triangulation in that plane. All shifts have the
 third number 0.
 
+Or it is a wire, with one vector, as of a nanowire, a tube or a fiber, or in a pipe. The hull of all
+images is then a prism without ends along that vector. If all points are in one plane along it,
+there are no cells, and no facets, edges and neighbors either. The last two numbers of all shifts
+are 0.
+
 Points have ids as in `Dynamic_Delaunay_triangulation_3`: the i-th point of the range has id i, and
 points that are inserted get the smallest free ids. Points that coincide, also by a translation of
 the lattice, share a vertex.
@@ -116,7 +121,9 @@ public:
   /// triangulates the points of the range; the i-th one has id i.
   /// \tparam InputIterator its values are convertible to `Point`.
   /// \throws Non_finite_coordinate_error_3 if a coordinate is NaN or infinite.
-  /// \throws Periodic_range_error_3 if a point is 2<sup>20</sup> cells or more from the origin.
+  /// \throws Periodic_range_error_3 if a point is 2<sup>20</sup> cells or more from the origin; in
+  /// a
+  ///   wire in any direction, in lengths of its vector.
   /// \throws Point_limit_error_2 if there are more points than 32 bits allow.
   /// \throws Periodic_cell_error_3 as above.
   template <class InputIterator>
@@ -155,7 +162,7 @@ public:
   /// call: by deformation, by other vectors for the same lattice, as when a sheared cell is
   /// flipped, or by both.
   /// \throws Periodic_cell_error_3 if the cell is so thin or extreme that doubles cannot tell how
-  /// far points are apart in it, or if only one of this cell and the last one is a slab; else what
+  /// far points are apart in it, or if it has not as many vectors as the last one; else what
   /// `update(first, beyond)` throws. Nothing has changed then.
   template <class InputIterator>
   Update_report_3 update(InputIterator first, InputIterator beyond, const Periodic_cell_3& cell)
@@ -184,12 +191,13 @@ public:
 
   /// the cell of the last frame.
   const Periodic_cell_3& cell() const { return state().torus.cell(); }
-  /// the number of cells. Cost: in a slab one pass over the cells, also below.
+  /// the number of cells. Cost: in a slab or a wire one pass over the cells, also below.
   size_type number_of_cells() const { return all_cells() - number_of_hull_facets(); }
-  /// the number of facets: two for each cell, and in a slab half of those on its hull more.
+  /// the number of facets: two for each cell, and in a slab or a wire half of those on its hull
+  /// more.
   size_type number_of_facets() const { return 2 * number_of_cells() + number_of_hull_facets() / 2; }
-  /// the number of edges: as many as vertices and cells, and in a slab half of the facets on its
-  /// hull more.
+  /// the number of edges: as many as vertices and cells, and in a slab or a wire half of the facets
+  /// on its hull more. None without cells in a wire.
   size_type number_of_edges() const
   {
     const size_type hull_facets = number_of_hull_facets();
@@ -308,7 +316,7 @@ private:
   size_type number_of_hull_facets() const
   {
     size_type number = 0;
-    if (cell().is_slab())
+    if (cell().dimension() < 3)
       for (Cell_index c(0); c < all_cells(); ++c)
         number += state().arrays.is_infinite(c);
     return number;

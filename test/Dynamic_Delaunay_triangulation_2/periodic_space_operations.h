@@ -126,9 +126,9 @@ public:
     insert(points);
   }
 
-  // A crystal that fills the cell, of a slab up to the scale: `side` unit cells along each vector,
-  // of a cubic lattice and, for the other kinds, of points in the middle of its facets or in that
-  // of its cells.
+  // A crystal that fills the cell, of a slab or a wire up to the scale: `side` unit cells along
+  // each vector, of a cubic lattice and, for the other kinds, of points in the middle of its facets
+  // or in that of its cells.
   void insert_crystal(std::size_t side, std::size_t kind)
   {
     static const std::vector<std::vector<Coordinates>> bases = {
@@ -142,8 +142,7 @@ public:
         Coordinates p{0, 0, 0};
         for (std::size_t j = 0; j < 3; ++j)
           for (std::size_t k = 0; k < 3; ++k)
-            p[k] += (double(n[j]) + x[j]) / double(side) * m_cell.vector(j)[k] *
-                    (j < vectors() ? 1 : m_setting.scale);
+            p[k] += (double(n[j]) + x[j]) / double(side) * vector(j)[k];
         points.emplace_back(p[0], p[1], p[2]);
       }
     insert(points);
@@ -183,15 +182,25 @@ private:
   }
   Cell cell_of(const std::array<Coordinates, 3>& v) const
   {
-    return m_setting.cell.is_slab() ? Cell(v[0], v[1]) : Cell(v[0], v[1], v[2]);
+    return m_setting.cell.is_wire()   ? Cell(v[0])
+           : m_setting.cell.is_slab() ? Cell(v[0], v[1])
+                                      : Cell(v[0], v[1], v[2]);
   }
   std::size_t vectors() const { return std::size_t(m_setting.cell.dimension()); }
-  // The volume of the cell, of a slab its area times the scale.
+  // The volume of the cell, of a slab its area times the scale, of a wire its length times the
+  // square of that.
   double size() const
   {
-    return m_setting.cell.is_slab()
-               ? std::abs(determinant(m_cell.a(), m_cell.b(), m_cell.c())) * m_setting.scale
-               : m_cell.volume();
+    return m_cell.dimension() == 3 ? m_cell.volume()
+                                   : std::abs(determinant(vector(0), vector(1), vector(2)));
+  }
+  // A vector of the cell, or across it, as long as the scale.
+  Coordinates vector(std::size_t i) const
+  {
+    Coordinates v = m_cell.vector(i);
+    for (double& x : v)
+      x *= i < vectors() ? 1 : m_setting.scale;
+    return v;
   }
 
   double on_grid(double x) const
@@ -300,7 +309,7 @@ private:
   }
   bool is_far(const Point& p) const
   {
-    const auto &a = m_cell.a(), &b = m_cell.b(), &c = m_cell.c();
+    const Coordinates a = vector(0), b = vector(1), c = vector(2);
     const Coordinates x{p.x(), p.y(), p.z()};
     const double share = (std::max)({std::abs(determinant(x, b, c)), std::abs(determinant(a, x, c)),
                                      std::abs(determinant(a, b, x))});
@@ -316,18 +325,21 @@ private:
   void change_cell()
   {
     std::array<Coordinates, 3> v{m_cell.a(), m_cell.b(), m_cell.c()};
-    const std::size_t n = vectors(), i = number_below(n), j = (i + 1 + number_below(n - 1)) % n;
+    const std::size_t n = vectors(), i = number_below(n);
+    const std::size_t j = n == 1 ? 0 : (i + 1 + number_below(n - 1)) % n;
     const bool carries = number_below(4) > 0;
     const double grid = m_setting.grid;
     double strain = 0;
     std::array<double, 3> factors{1, 1, 1};
     switch (number_below(4)) {
     case 0: // another basis
-      for (std::size_t k = 0; k < 3; ++k)
+      for (std::size_t k = 0; n > 1 && k < 3; ++k)
         v[i][k] += carries ? v[j][k] : -v[j][k];
       break;
     case 1: // a mirrored one
       std::swap(v[i], v[j]);
+      for (std::size_t k = 0; n == 1 && k < 3; ++k)
+        v[i][k] = -v[i][k];
       break;
     case 2: // shear
       strain = grid > 0 ? grid : between(-0.3, 0.3);

@@ -6,6 +6,7 @@
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_PERIODIC_SPACE_ORACLE_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_PERIODIC_SPACE_ORACLE_H
 
+#include <CGAL/convex_hull_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_cell_3.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Simple_cartesian.h>
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -72,6 +74,8 @@ public:
     , m_cell(cell)
     , m_ends(ends())
   {
+    if (cell.is_wire())
+      find_hull_of_wire();
   }
 
   Exact_point position(const Site& site) const
@@ -86,7 +90,7 @@ public:
 
   // Cells are positive, fit together, and cover the torus once; spheres of neighbors are empty of
   // each other's vertices. So they are Delaunay. In a slab they cover what is between two planes
-  // through the outermost points, where their hull facets are.
+  // through the outermost points, where their hull facets are; in a wire a prism without ends.
   template <class Dynamic>
   void expect_Delaunay(const Dynamic& dt) const
   {
@@ -119,10 +123,12 @@ public:
       return;
     if (m_cell.is_slab()) {
       EXPECT_EQ(volume, highest() - lowest());
+    } else if (m_cell.is_wire()) {
+      EXPECT_EQ(volume, volume_of_wire());
     } else {
       EXPECT_EQ(volume, 6 * CGAL::abs(CGAL::volume(origin(), end(0), end(1), end(2))));
     }
-    EXPECT_EQ(sides.size(), lowest() < highest() ? dt.number_of_facets() : 0u);
+    EXPECT_EQ(sides.size(), is_flat() ? 0u : dt.number_of_facets());
     for (const auto& [facet, both] : sides) {
       if (both.size() == 1) {
         expect_outermost(facet);
@@ -151,7 +157,9 @@ public:
     });
     EXPECT_EQ(dt.number_of_edges(), found.size());
     EXPECT_EQ(dt.number_of_cells(), cells);
-    if (is_flat()) {
+    if (is_flat() && m_cell.is_wire()) {
+      EXPECT_EQ(dt.number_of_facets(), 0u);
+    } else if (is_flat()) {
       EXPECT_EQ(found.size(), 3 * dt.number_of_vertices());
       EXPECT_EQ(dt.number_of_facets(), 2 * dt.number_of_vertices());
       expected = found;
@@ -191,8 +199,11 @@ public:
     EXPECT_EQ(dt.number_of_vertices(), representatives.size());
   }
 
-  // Whether all points are in a plane along a slab, and there are no cells.
-  bool is_flat() const { return m_cell.is_slab() && highest() == lowest(); }
+  // Whether all points are in a plane along a slab or a wire, and there are no cells.
+  bool is_flat() const
+  {
+    return m_cell.is_wire() ? m_hull.size() < 3 : m_cell.is_slab() && highest() == lowest();
+  }
 
 private:
   // Along the cross product of a slab's vectors, by the length of this. Of other cells, the highest
@@ -217,11 +228,53 @@ private:
   }
   void expect_outermost(const std::array<Site, 3>& facet) const
   {
+    if (m_cell.is_wire())
+      return expect_on_hull_of_wire(facet);
     ASSERT_TRUE(m_cell.is_slab());
     const CGAL::Exact_rational at = elevation(position(facet[0]));
     EXPECT_TRUE(at == highest() || at == lowest());
     for (const Site& site : facet)
       EXPECT_EQ(elevation(position(site)), at);
+  }
+
+  // A point as it is seen along a wire, in units of two vectors u and v across it, and across each
+  // other: |v| = |a| |u|.
+  using Seen = Exact::Point_2;
+  Exact::Vector_3 first_across() const
+  {
+    return CGAL::cross_product(end(0) - origin(),
+                               CGAL::cross_product(end(0) - origin(), end(1) - origin()));
+  }
+  Seen seen_along_wire(const Exact_point& p) const
+  {
+    const Exact::Vector_3 u = first_across(), v = CGAL::cross_product(end(0) - origin(), u);
+    return Seen(u * (p - origin()), v * (p - origin()));
+  }
+  void find_hull_of_wire()
+  {
+    std::vector<Seen> seen;
+    for (const auto& [id, point] : m_points)
+      seen.push_back(seen_along_wire(position({id, Shift()})));
+    CGAL::ch_graham_andrew(seen.begin(), seen.end(), std::back_inserter(m_hull));
+  }
+  // The area that is seen is |u| |v| times the real one.
+  CGAL::Exact_rational volume_of_wire() const
+  {
+    CGAL::Exact_rational area = 0;
+    for (std::size_t i = 2; i < m_hull.size(); ++i)
+      area += CGAL::area(m_hull[0], m_hull[i - 1], m_hull[i]);
+    return area / first_across().squared_length();
+  }
+  // Facets are seen as parts of sides of the hull.
+  void expect_on_hull_of_wire(const std::array<Site, 3>& facet) const
+  {
+    std::size_t sides = 0;
+    for (std::size_t i = 0; i < m_hull.size(); ++i)
+      sides += std::all_of(facet.begin(), facet.end(), [&](const Site& site) {
+        return CGAL::collinear(m_hull[i], m_hull[(i + 1) % m_hull.size()],
+                               seen_along_wire(position(site)));
+      });
+    EXPECT_EQ(sides, 1u);
   }
 
   // A cell at a facet: its vertices, and the translation that takes it to the facet's image that
@@ -295,6 +348,7 @@ private:
   const std::map<std::size_t, Point>& m_points;
   const CGAL::Periodic_cell_3& m_cell;
   const std::pair<CGAL::Exact_rational, CGAL::Exact_rational> m_ends; // lowest and highest
+  std::vector<Exact::Point_2> m_hull; // of a wire, as it is seen along that
   mutable std::size_t m_examined = 0;
 };
 

@@ -168,14 +168,17 @@ private:
     using namespace Dynamic_Delaunay_triangulations_3::internal;
     using Parts = typename State::Parts;
     using Arrays = typename State::Arrays;
-    if constexpr (!Site_charts_3<Arrays>::is_periodic)
-      if (!state.spans_space) {
+    if (!state.spans_space) {
+      if constexpr (Site_charts_3<Arrays>::is_periodic) {
+        return write(state, sites, has_vectors, [](Vertex_index, size_type, const auto&) {});
+      } else {
         Flat_neighbors_3 flat;
         flat.list_ends(state);
         return write(state, sites, has_vectors, [&](Vertex_index v, size_type, const auto& f) {
           flat.for_each_neighbor(v, f);
         });
       }
+    }
     std::vector<Vertex_star_3<Arrays>> stars(
         Parts::number(state.number_of_vertices(), least_stars<Parts>));
     write(state, sites, has_vectors, [&](Vertex_index v, size_type part, const auto& f) {

@@ -275,17 +275,11 @@ private:
     return write_within(query, v.site, squared_radius, std::nullopt, answers);
   }
 
-  static bool has_cells(const State& state)
-  {
-    if constexpr (Charts::is_periodic)
-      return true; // if it has vertices
-    else
-      return state.spans_space;
-  }
+  static bool has_cells(const State& state) { return state.spans_space; }
 
   // Calls f(w, cell) for each neighbor w of a site, with a cell of both, until f returns false; a
   // neighbor may come twice. `first` is a cell of the site. Without cells, all other vertices are
-  // neighbors.
+  // neighbors, or their images beside the site.
   template <class Function>
   void visit_neighbors(const State& state, const Site& v, const Seen_cell& first,
                        const Function& f) const
@@ -293,8 +287,9 @@ private:
     if (has_cells(state))
       return m_star.for_each_neighbor(state.arrays, v, first, f);
     for (Vertex_index n(1); n <= state.number_of_vertices(); ++n)
-      if (const Site w = Charts::site(n); !(w == v) && !f(w, first))
-        return;
+      for (const Site& w : Query::sites_beside(state, v, n))
+        if (!(w == v) && !f(w, first))
+          return;
   }
   template <class Function>
   void for_each_neighbor(const State& state, const Site& v, const Function& f) const

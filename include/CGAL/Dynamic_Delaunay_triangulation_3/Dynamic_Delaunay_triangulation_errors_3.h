@@ -113,11 +113,18 @@ public:
             ", ", a[2], ") and (", b[0], ", ", b[1], ", ", b[2], "): ", demand)
   {
   }
+  // Of a wire.
+  Periodic_cell_error_3(const std::array<double, 3>& a, const std::string& demand)
+    : Error({a, std::array<double, 3>{0, 0, 0}, std::array<double, 3>{0, 0, 0}},
+            "a wire has the vector (", a[0], ", ", a[1], ", ", a[2], "): ", demand)
+  {
+  }
   /// \endcond
 
   const std::array<double, 3>& a() const { return value<0>(); } ///< the first vector.
-  const std::array<double, 3>& b() const { return value<1>(); } ///< the second vector.
-  const std::array<double, 3>& c() const { return value<2>(); } ///< the third one, 0 of a slab.
+  const std::array<double, 3>& b() const { return value<1>(); } ///< the second one, 0 of a wire.
+  /// the third one, 0 of a slab or a wire.
+  const std::array<double, 3>& c() const { return value<2>(); }
 };
 
 /*!

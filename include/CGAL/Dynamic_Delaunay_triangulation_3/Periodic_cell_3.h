@@ -29,7 +29,8 @@ any lengths, at any angles, in any order. Translations by integer combinations o
 that space to itself.
 
 A cell can also be a slab, given by two vectors along which everything is repeated. Space is open
-across them, as between two walls, or around a film or a membrane.
+across them, as between two walls, or around a film or a membrane. Or it is a wire, given by one
+vector: space is open across it, as around a nanowire, a tube or a fiber, or inside of a pipe.
 */
 class Periodic_cell_3
 {
@@ -69,8 +70,17 @@ public:
   /// nearly that no double is the sine of their angle.
   Periodic_cell_3(const Coordinates& a, const Coordinates& b)
     : m_vectors{a, b, normal(a, b)}
-    , m_is_slab(true)
+    , m_dimension(2)
   {
+  }
+
+  /// the wire that is repeated by this vector, given by its coordinates, and open across it.
+  /// \throws Periodic_cell_error_3 if a number is not finite, or all are 0.
+  explicit Periodic_cell_3(const Coordinates& a)
+    : m_vectors{a, across(a), {0, 0, 0}}
+    , m_dimension(1)
+  {
+    m_vectors[2] = normal(a, m_vectors[1]);
   }
 
   /// the cell with these vectors, of any type with `x()`, `y()` and `z()`.
@@ -90,23 +100,34 @@ public:
   {
   }
 
-  /// whether space is open across the first two vectors.
-  bool is_slab() const { return m_is_slab; }
-  /// the number of vectors along which everything is repeated: 3, or 2 of a slab.
-  int dimension() const { return m_is_slab ? 2 : 3; }
+  /// the wire with this vector, of any type with `x()`, `y()` and `z()`.
+  /// \throws Periodic_cell_error_3 as above.
+  template <class Vector, class = decltype(std::declval<const Vector&>().x())>
+  explicit Periodic_cell_3(const Vector& a)
+    : Periodic_cell_3(Coordinates{a.x(), a.y(), a.z()})
+  {
+  }
+
+  /// whether there are two vectors, across which space is open.
+  bool is_slab() const { return m_dimension == 2; }
+  /// whether there is one vector, across which space is open.
+  bool is_wire() const { return m_dimension == 1; }
+  /// the number of vectors along which everything is repeated: 3, 2 of a slab, or 1 of a wire.
+  int dimension() const { return m_dimension; }
 
   const Coordinates& a() const { return m_vectors[0]; } ///< the first vector.
-  const Coordinates& b() const { return m_vectors[1]; } ///< the second vector.
-  /// the third vector, which in a slab is about a unit vector along the cross product of the
-  /// others.
+  /// the second vector, which in a wire is about a unit vector across the first one.
+  const Coordinates& b() const { return m_vectors[1]; }
+  /// the third vector, which in a slab or a wire is about a unit vector along the cross product of
+  /// the others.
   const Coordinates& c() const { return m_vectors[2]; }
   /// the vector with this number, which is 0, 1 or 2.
   const Coordinates& vector(std::size_t number) const { return m_vectors[number]; }
 
-  /// the volume of the cell, rounded; that of a slab is infinite.
+  /// the volume of the cell, rounded; that of a slab or a wire is infinite.
   double volume() const
   {
-    if (m_is_slab)
+    if (m_dimension < 3)
       return std::numeric_limits<double>::infinity();
     const auto minor = [this](std::size_t i, std::size_t j) {
       return b()[i] * c()[j] - b()[j] * c()[i];
@@ -114,10 +135,10 @@ public:
     return std::abs(a()[0] * minor(1, 2) + a()[1] * minor(2, 0) + a()[2] * minor(0, 1));
   }
 
-  /// whether both cells have the same vectors, and both or neither of them is a slab.
+  /// whether both cells are repeated by the same vectors.
   friend bool operator==(const Periodic_cell_3& c, const Periodic_cell_3& d)
   {
-    return c.m_vectors == d.m_vectors && c.m_is_slab == d.m_is_slab;
+    return c.m_vectors == d.m_vectors && c.m_dimension == d.m_dimension;
   }
   /// whether the cells differ.
   friend bool operator!=(const Periodic_cell_3& c, const Periodic_cell_3& d) { return !(c == d); }
@@ -142,6 +163,21 @@ private:
       throw Periodic_cell_error_3(a, b, "its vectors must not be parallel");
     return {cross[0] / length, cross[1] / length, cross[2] / length};
   }
+  // A unit vector across a: along the cross product of a and the axis that is farthest from it.
+  static Coordinates across(const Coordinates& a)
+  {
+    const Dynamic_Delaunay_triangulations_2::internal::Default_floating_point arithmetic;
+    for (const double x : a)
+      if (!std::isfinite(x))
+        throw Periodic_cell_error_3(a, "its numbers must be finite");
+    const auto smallest = std::min_element(
+        a.begin(), a.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+    Coordinates axis{0, 0, 0};
+    axis[std::size_t(smallest - a.begin())] = 1;
+    if (a == Coordinates{0, 0, 0})
+      throw Periodic_cell_error_3(a, "its vector must not be 0");
+    return normal(a, axis);
+  }
   // A vector in units of a power of two that is about as large as its largest coordinate.
   static Coordinates scaled(const Coordinates& v)
   {
@@ -154,7 +190,7 @@ private:
   }
 
   std::array<Coordinates, 3> m_vectors;
-  bool m_is_slab = false;
+  int m_dimension = 3;
 };
 
 } // namespace CGAL

@@ -21,6 +21,7 @@ void fuzz::examine(const std::string& input)
 {
   using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick>;
   using periodic_space_operations::Cell;
+  using periodic_space_operations::Coordinates;
   const Cell cells[] = {Cell(1, 1, 1),
                         Cell({1, 0.1, 0.2}, {0.5, -0.9, 0.1}, {1.3, 0.2, 1.1}),
                         Cell(1, 1, 0.125),
@@ -29,7 +30,9 @@ void fuzz::examine(const std::string& input)
                         Cell(1, 2, 0.5),
                         Cell({1, 0, 0}, {0, 1, 0}),
                         Cell({1, 0.1, 0.2}, {0.5, -0.9, 0.7}),
-                        Cell({0, 0.5, 0}, {3, 0.125, 0})};
+                        Cell({0, 0.5, 0}, {3, 0.125, 0}),
+                        Cell(Coordinates{1, 0, 0}),
+                        Cell(Coordinates{0.5, -0.875, 0.75})};
   constexpr double scales[] = {1, 1, 1, 0x1p-100, 0x1p100};
   constexpr double grids[] = {0, 0.5, 0.25, 0.125}; // shares of the scale
   constexpr int distances[] = {2, 2, 2, 10'000};    // in cells
@@ -37,7 +40,7 @@ void fuzz::examine(const std::string& input)
   testing::GTEST_FLAG(throw_on_failure) = true; // as findings
   fuzz::Numbers_of_input numbers(input);
   periodic_space_operations::Setting setting;
-  setting.cell = cells[numbers.byte() % 9];
+  setting.cell = cells[numbers.byte() % 11];
   setting.scale = scales[numbers.byte() % 5];
   setting.grid = grids[numbers.byte() % 4];
   setting.far = distances[numbers.byte() % 4];

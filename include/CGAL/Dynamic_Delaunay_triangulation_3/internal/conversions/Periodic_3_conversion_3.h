@@ -12,6 +12,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/conversions/Vertex_info_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/certified_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_images_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Site_charts_3.h>
@@ -81,8 +82,8 @@ private:
   void find_domain()
   {
     const Periodic_cell_3& cell = m_pt.cell();
-    if (cell.is_slab())
-      throw Periodic_cell_error_3(cell.a(), cell.b(), "only a cube can be converted");
+    if (cell.dimension() < 3)
+      Torus_3::refuse(cell, "only a cube can be converted");
     std::array<bool, 3> is_taken{false, false, false};
     for (std::size_t i = 0; i < 3; ++i) {
       const Coordinates& v = cell.vector(i);

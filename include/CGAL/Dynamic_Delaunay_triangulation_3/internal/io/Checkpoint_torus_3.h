@@ -17,7 +17,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdlib>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -30,7 +29,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // Writes a torus: its cell and basis, points with the multiples that take them to their vertices,
 // and cells, each with the shifts of its last three vertices from the first one. In a slab infinite
 // cells are among them, and the shifts of all four vertices are written: those of the infinite one
-// say whether it is above or below.
+// say whether it is above or below. So they are in a wire, where all infinite ones are above, and a
+// point of the axis as well.
 template <class Traits, class ConcurrencyTag>
 class Checkpoint_writer_3<Torus_state_3<Traits, ConcurrencyTag>>
 {
@@ -57,6 +57,15 @@ private:
     return {m[0], m[1], m[2]};
   }
 
+  void write_origin()
+  {
+    const Position_3& o = m_state.origin;
+    if (m_state.has_origin)
+      m_file.line("origin", o.x, o.y, o.z);
+    else
+      m_file.line("origin none");
+  }
+
   void write_cells()
   {
     const Torus_cells_3& arrays = m_state.arrays;
@@ -64,14 +73,15 @@ private:
     for (Cell_index c(0); c < arrays.number_of_cells(); ++c) {
       const Vertices_3& v = arrays.vertices(c);
       const Torus_sites_3 s = arrays.sites(c);
-      if (m_state.torus.is_slab())
+      if (m_state.torus.dimension() < 3)
         m_file.line(v[0], v[1], v[2], v[3], numbers(s[0]), numbers(s[1]), numbers(s[2]),
                     numbers(s[3]));
       else
         m_file.line(v[0], v[1], v[2], v[3], numbers(s[1]), numbers(s[2]), numbers(s[3]));
     }
-    m_file.line("corners", arrays.number_of_vertices() - 1);
-    for (Vertex_index v(1); v < arrays.number_of_vertices(); ++v)
+    const Index vertices = m_state.spans_space ? arrays.number_of_vertices() : Index(1);
+    m_file.line("corners", vertices - 1);
+    for (Vertex_index v(1); v < vertices; ++v)
       m_file.line(arrays.corner_of(v));
   }
 
@@ -85,7 +95,10 @@ void Checkpoint_writer_3<Torus_state_3<Traits, ConcurrencyTag>>::write()
 {
   const Periodic_cell_3& cell = m_state.torus.cell();
   const Torus_3::Basis& basis = m_state.torus.basis();
-  if (cell.is_slab()) {
+  if (cell.is_wire()) {
+    m_file.line("wire", cell.a());
+    m_file.line("basis", basis[0][0]);
+  } else if (cell.is_slab()) {
     m_file.line("slab", cell.a(), cell.b());
     m_file.line("basis", basis[0][0], basis[0][1], basis[1][0], basis[1][1]);
   } else {
@@ -100,6 +113,8 @@ void Checkpoint_writer_3<Torus_state_3<Traits, ConcurrencyTag>>::write()
         return std::make_tuple(coordinates(m_state.point(v)), m[0], m[1], m[2]);
       },
       [](const Point& p) { return coordinates(p); });
+  if (cell.is_wire())
+    write_origin();
   write_cells();
 }
 
@@ -164,10 +179,9 @@ private:
   {
     m_file.next_line();
     const std::string_view kind = m_file.word("the cell");
-    const bool is_slab = kind == "slab";
-    if (!is_slab && kind != "cell")
-      m_file.refuse("the first word", kind, "cell or slab");
-    const std::size_t dimension = is_slab ? 2 : 3;
+    const std::size_t dimension = kind == "cell" ? 3 : kind == "slab" ? 2 : 1;
+    if (dimension == 1 && kind != "wire")
+      m_file.refuse("the first word", kind, "cell, slab or wire");
     std::array<std::array<double, 3>, 3> vectors{};
     for (std::size_t i = 0; i < dimension; ++i)
       for (double& x : vectors[i])
@@ -181,8 +195,10 @@ private:
         basis[i][j] = m_file.number("the number of the basis", -most, most);
     m_file.end_line();
     try {
-      const Periodic_cell_3 cell = is_slab ? Periodic_cell_3(vectors[0], vectors[1])
-                                           : Periodic_cell_3(vectors[0], vectors[1], vectors[2]);
+      const Periodic_cell_3 cell = dimension == 3
+                                       ? Periodic_cell_3(vectors[0], vectors[1], vectors[2])
+                                   : dimension == 2 ? Periodic_cell_3(vectors[0], vectors[1])
+                                                    : Periodic_cell_3(vectors[0]);
       if (const std::optional<Torus_3> torus = Torus_3::with_basis(cell, basis))
         return *torus;
     } catch (const Periodic_cell_error_3& error) {
@@ -201,6 +217,23 @@ private:
     m_state.positions.resize(m_state.number_of_vertices() + 1);
     for (std::size_t i = 0; i < m_places.size(); ++i)
       m_state.positions.set(Vertex_index(i + 1), m_places[i]);
+  }
+
+  void read_origin()
+  {
+    m_file.begin_entry("origin");
+    const std::string_view word = m_file.word("the origin");
+    m_state.has_origin = word != "none";
+    if (m_state.has_origin) {
+      using Dynamic_Delaunay_triangulations_2::internal::read_finite;
+      if (!read_finite(word, m_state.origin.x))
+        m_file.refuse("the origin", word, "none or a finite number");
+      m_state.origin.y = m_file.finite("the origin");
+      m_state.origin.z = m_file.finite("the origin");
+      if (!m_state.torus.is_in_range(m_state.origin))
+        m_file.refuse("the origin is too far away");
+    }
+    m_file.end_line();
   }
 
   // CELLS -----------------------------------------------------------------------------------------
@@ -222,8 +255,10 @@ private:
     for (Index i = 0; i < number; ++i)
       read_cell();
     link(line);
-    m_file.number_entry("corners", m_state.number_of_vertices(), m_state.number_of_vertices());
-    for (Vertex_index v(1); v < m_state.arrays.number_of_vertices(); ++v)
+    m_state.spans_space = m_state.number_of_vertices() > 0 && (number > 0 || !is_wire());
+    const Index corners = m_state.spans_space ? m_state.number_of_vertices() : Index(0);
+    m_file.number_entry("corners", corners, corners);
+    for (Vertex_index v(1); v <= corners; ++v)
       read_corner(v);
     Unproved_cells_3 unproved;
     if (!Torus_certificate_3<State>(m_state).holds(unproved))
@@ -233,13 +268,13 @@ private:
   void read_cell()
   {
     m_file.next_line();
-    const bool is_slab = m_state.torus.is_slab();
-    const Index first(is_slab ? 0 : 1);
+    const bool is_open = m_state.torus.dimension() < 3;
+    const Index first(is_open ? 0 : 1);
     Torus_sites_3 sites;
     for (Torus_site_3& s : sites)
       s.vertex = Vertex_index(m_file.number("the vertex", first, m_state.number_of_vertices()));
     sites[0].shift = {};
-    for (int i = is_slab ? 0 : 1; i < 4; ++i)
+    for (int i = is_open ? 0 : 1; i < 4; ++i)
       read_shift(sites[i]);
     m_file.end_line();
     int infinite = 0;
@@ -257,13 +292,17 @@ private:
       number = m_file.number("the shift", -most_shift, most_shift);
     s.shift = Torus_shift_3::of(m);
     if (s.is_infinite()) {
-      if (m[0] != 0 || m[1] != 0 || std::abs(m[2]) != 1)
-        m_file.refuse("the shift of the infinite vertex has to be 0 0 1 or 0 0 -1");
+      if (m[0] != 0 || m[1] != 0 || (m[2] != 1 && (m[2] != -1 || is_wire())))
+        m_file.refuse(is_wire() ? "the shift of the infinite vertex has to be 0 0 1"
+                                : "the shift of the infinite vertex has to be 0 0 1 or 0 0 -1");
       s = m[2] > 0 ? Torus_site_3::above() : Torus_site_3::below();
-    } else if (m_state.torus.is_slab() && m[2] != 0) {
-      m_file.refuse("the third number of a shift in a slab has to be 0");
+    } else if (m_state.torus.dimension() < 3 && m[2] != 0) {
+      m_file.refuse("the third number of a shift in a slab or a wire has to be 0");
+    } else if (is_wire() && m[1] != 0) {
+      m_file.refuse("the second number of a shift in a wire has to be 0");
     }
   }
+  bool is_wire() const { return m_state.torus.is_wire(); }
 
   // Finds the mirrors of corners: each facet belongs to two of them, also of one cell.
   void link(std::size_t line)
@@ -333,8 +372,9 @@ void Checkpoint_reader_3<Torus_state_3<Traits, ConcurrencyTag>>::read()
   read_points();
   if (!m_state.set_reach({largest, sum}))
     m_file.refuse("the numbers after \"reach\", above, are too small for these points");
+  if (m_state.torus.is_wire())
+    read_origin();
   read_cells();
-  m_state.spans_space = m_state.number_of_vertices() > 0;
 }
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -63,7 +63,8 @@ struct Torus_point_3
 // The flat torus of three dimensions: space, in which the lattice of a cell identifies points. Or a
 // slab, whose lattice has two vectors. In the place of the third one it has the normal of these;
 // all multiples and fractions of it are 0, but for multiples that stand for points at infinity,
-// above the slab or below it.
+// above the slab or below it. Or a wire, whose lattice has one vector, and unit vectors across it
+// in the place of the others; there multiples of the third one stand for the point at infinity.
 //
 // All multiples and shifts inside of the package refer to a basis of that lattice, which is short
 // when it is chosen. Its vectors are integer combinations of the cell's, and in general no doubles.
@@ -130,10 +131,11 @@ public:
   const Periodic_cell_3& cell() const { return m_cell; }
   const Basis& basis() const { return m_basis; } // of each vector, multiples of the cell's
   bool is_slab() const { return m_cell.is_slab(); }
+  bool is_wire() const { return m_cell.is_wire(); }
   int dimension() const { return m_cell.dimension(); }
   const Position_3& vector(int i) const { return m_vectors[std::size_t(i)]; }
   const Exact_vector_3& exact_vector(int i) const { return m_exact_vectors[std::size_t(i)]; }
-  // That of the cell; of a slab the area of its basis' parallelogram.
+  // That of the cell; of a slab the area of its basis' parallelogram, of a wire its length.
   double volume() const { return std::abs(m_determinant); }
   // The distance between opposite faces of the basis' parallelepiped, or sides of a parallelogram.
   double height(int i) const { return 1 / std::sqrt(squared_length(m_inverse[std::size_t(i)])); }
@@ -159,6 +161,8 @@ public:
   Position_3 carried(const Position_3& p, const Torus_3& from) const
   {
     const Position_3 along = combination(from.fractions(p));
+    if (is_wire())
+      return along + turned(p - from.combination(from.fractions(p)), from);
     return is_slab() ? along + from.elevation(p) * m_vectors[2] : along;
   }
   static Multiples_3 nearest(const Position_3& fractions)
@@ -177,6 +181,8 @@ public:
   {
     if (std::abs(p.x) < m_near && std::abs(p.y) < m_near && std::abs(p.z) < m_near)
       return true;
+    if (is_wire() && !(squared_length(p) < max_multiple * max_multiple * squared_length(vector(0))))
+      return false;
     return is_small(fractions(p)) &&
            is_small({product(m_inverse_of_cell[0], p), product(m_inverse_of_cell[1], p),
                      product(m_inverse_of_cell[2], p)});
@@ -216,10 +222,11 @@ public:
       }
     return v;
   }
-  // 1 if a point stands for the one at infinity above a slab, -1 for the one below, else 0.
+  // 1 if a point stands for the one at infinity above a slab, or around a wire, -1 for the one
+  // below a slab, else 0.
   int end_of_space(const Torus_point_3& p) const
   {
-    return !is_slab() ? 0 : p.multiples[2] > 0 ? 1 : p.multiples[2] < 0 ? -1 : 0;
+    return dimension() == 3 ? 0 : p.multiples[2] > 0 ? 1 : p.multiples[2] < 0 ? -1 : 0;
   }
   bool coincide(const Torus_point_3& p, const Torus_point_3& q) const
   {
@@ -251,6 +258,15 @@ public:
   {
     return std::abs(shift[0]) <= most_in_filter && std::abs(shift[1]) <= most_in_filter &&
            std::abs(shift[2]) <= most_in_filter;
+  }
+
+  [[noreturn]] static void refuse(const Periodic_cell_3& cell, const char* demand)
+  {
+    if (cell.is_wire())
+      throw Periodic_cell_error_3(cell.a(), demand);
+    if (cell.is_slab())
+      throw Periodic_cell_error_3(cell.a(), cell.b(), demand);
+    throw Periodic_cell_error_3(cell.a(), cell.b(), cell.c(), demand);
   }
 
 private:
@@ -286,11 +302,16 @@ private:
            m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
   }
-  [[noreturn]] static void refuse(const Periodic_cell_3& cell, const char* demand)
+  // A vector across the other wire, turned as that turns to this one: around the normal of both.
+  // As it is, if that is unclear.
+  Position_3 turned(const Position_3& p, const Torus_3& from) const
   {
-    if (cell.is_slab())
-      throw Periodic_cell_error_3(cell.a(), cell.b(), demand);
-    throw Periodic_cell_error_3(cell.a(), cell.b(), cell.c(), demand);
+    const Position_3 u = (1 / from.volume()) * from.m_vectors[0], v = (1 / volume()) * m_vectors[0];
+    const Position_3 k = cross_product(u, v);
+    const double c = product(u, v);
+    if (!(c > 0) || squared_length(k) == 0)
+      return p;
+    return c * p + cross_product(k, p) + (product(k, p) / (1 + c)) * k;
   }
 
   void set_vectors()
@@ -317,6 +338,8 @@ private:
         m_largest = (std::max)(m_largest, std::abs(x));
     }
     m_error = 0x1p-51 * most * largest_of_cell;
+    if (is_wire())
+      return set_across();
     if (is_slab())
       set_normal();
     m_determinant = product(m_vectors[0], cross_product(m_vectors[1], m_vectors[2]));
@@ -332,6 +355,18 @@ private:
     const Position_3 normal = cross_product(m_vectors[0], m_vectors[1]);
     m_vectors[2] = (1 / std::sqrt(squared_length(normal))) * normal;
     m_exact_vectors[2] = cross(m_exact_vectors[0], m_exact_vectors[1]);
+  }
+
+  void set_across()
+  {
+    const double square = squared_length(m_vectors[0]);
+    for (std::size_t i = 1; i < 3; ++i) {
+      const auto& v = m_cell.vector(i);
+      m_vectors[i] = {v[0], v[1], v[2]};
+      m_inverse[i] = {0, 0, 0};
+    }
+    m_inverse[0] = (1 / square) * m_vectors[0];
+    m_determinant = std::sqrt(square);
   }
 
   void set_near()
@@ -357,6 +392,8 @@ private:
   }
   bool has_same_hand(const Torus_3& other) const
   {
+    if (is_wire())
+      return product(m_vectors[0], other.m_vectors[0]) > 0;
     return (m_determinant > 0) == (other.m_determinant > 0);
   }
   // Whether the basis of the other torus differs little from this one.
@@ -364,6 +401,8 @@ private:
   {
     if (!other.is_measurable())
       return false;
+    if (is_wire())
+      return squared_length(other.m_vectors[0] - m_vectors[0]) < 0.5 * squared_length(m_vectors[0]);
     for (std::size_t i = 0; i < std::size_t(dimension()); ++i) {
       const Position_3 f = fractions(other.m_vectors[i] - m_vectors[i]);
       if (!(std::abs(f.x) < 0.75 && std::abs(f.y) < 0.75 && std::abs(f.z) < 0.75))
@@ -396,6 +435,8 @@ private:
   }
   bool shorten_one()
   {
+    if (is_wire())
+      return false;
     if (is_slab())
       return shorten_one_of_two();
     std::array<double, 3> squares;

@@ -8,6 +8,8 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_pass_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/wires/Wire_hull_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/wires/Wire_planes_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -27,13 +29,16 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // normal, take the place of volumes. What is above covers as often as what is below: the areas of a
 // cell's facets, as seen from one side, add up to 0. So flips do not change that number either, and
 // motion does not, as it is the degree of a map from the hull above to the torus of both vectors.
+//
+// A wire is covered as often as its hull goes round the axis (`Wire_hull_3`). It has no cells where
+// all points are in a plane along it.
 template <class State>
 class Torus_certificate_3
 {
   using Arrays = Torus_cells_3;
 
 public:
-  explicit Torus_certificate_3(const State& state)
+  explicit Torus_certificate_3(State& state)
     : m_state(state)
     , m_signs(state)
   {
@@ -42,6 +47,8 @@ public:
   // Proves everything, by a pass of the filter first; `unproved` gets what that leaves.
   bool holds(Unproved_cells_3& unproved) const
   {
+    if (is_wire_without_cells())
+      return Wire_planes_3<State>(m_state).are_in_one();
     if (!is_combinatorially_valid())
       return false;
     find_unproved(m_state, unproved);
@@ -52,6 +59,10 @@ public:
   // What is wrong, or null, by exact predicates alone.
   const char* problem() const
   {
+    if (is_wire_without_cells())
+      return Wire_planes_3<State>(m_state).are_in_one()
+                 ? nullptr
+                 : "there are no cells, and the points are in no plane along the wire";
     if (!is_combinatorially_valid())
       return "the cells do not fit together, or a vertex has none";
     for (Cell_index c(0); c < arrays().number_of_cells(); ++c)
@@ -63,7 +74,13 @@ public:
   }
   // Whether cells that covered the torus once, and have been positive before and after motion and
   // flips, do so still.
-  static bool go_on_to_cover_once() { return true; }
+  bool go_on_to_cover_once()
+  {
+    if (m_state.goes_on_to_cover_once())
+      return true;
+    find_star(m_state.arrays, infinite_index, m_state.marks, m_star);
+    return Wire_hull_3<State>(m_state).goes_round_once(m_star);
+  }
 
   // Whether cells fit together, and each vertex has one of its own.
   bool is_combinatorially_valid() const
@@ -90,6 +107,8 @@ public:
   // their volumes is nearer to its volume than to all its multiples.
   bool covers_once() const
   {
+    if (m_state.torus.is_wire())
+      return Wire_hull_3<State>(m_state).goes_round_once(infinite_cells());
     if (m_state.torus.is_slab())
       return covers_slab_once();
     const double whole = 6 * m_state.torus.volume(), error = std::sqrt(m_state.squared_error);
@@ -117,6 +136,15 @@ public:
 
 private:
   const Arrays& arrays() const { return m_state.arrays; }
+  bool is_wire_without_cells() const { return m_state.torus.is_wire() && !m_state.spans_space; }
+  std::vector<Cell_index> infinite_cells() const
+  {
+    std::vector<Cell_index> infinite;
+    for (Cell_index c(0); c < arrays().number_of_cells(); ++c)
+      if (arrays().is_infinite(c))
+        infinite.push_back(c);
+    return infinite;
+  }
 
   // Whether the two cells at a facet share its sites, with opposite orientations.
   bool fits(Corner_index k) const
@@ -174,7 +202,7 @@ private:
     const double whole = 2 * torus.volume(), error = std::sqrt(m_state.squared_error);
     const Position_3& n = torus.vector(2);
     double sum = 0, uncertainty = 0;
-    for_each_base_above([&](const Few<Torus_site_3, 3>& s) {
+    for_each_base_above([&](const Torus_facet_3& s) {
       const Position_3 a = m_state.position(s[0]), u = m_state.position(s[1]) - a,
                        v = m_state.position(s[2]) - a;
       sum += n.x * (u.y * v.z - u.z * v.y) + n.y * (u.z * v.x - u.x * v.z) +
@@ -192,7 +220,7 @@ private:
     const Torus_3& torus = m_state.torus;
     const Exact_vector_3& n = torus.exact_vector(2);
     Exact_number_3 sum = 0;
-    for_each_base_above([&](const Few<Torus_site_3, 3>& s) {
+    for_each_base_above([&](const Torus_facet_3& s) {
       const Torus_point_3 a = m_state.image(s[0]);
       sum = sum + dot(n, cross(torus.exact_vector(a, m_state.image(s[1])),
                                torus.exact_vector(a, m_state.image(s[2]))));
@@ -205,19 +233,14 @@ private:
   void for_each_base_above(const Function& f) const
   {
     for (Cell_index c(0); c < arrays().number_of_cells(); ++c) {
-      const int place = arrays().place_of(c, Torus_site_3::above());
-      if (place == 4)
-        continue;
-      const auto site = [&](int n) { return arrays().site(Arrays::corner(c, (place + n) % 4)); };
-      if (place % 2 == 0)
-        f({site(1), site(3), site(2)});
-      else
-        f({site(1), site(2), site(3)});
+      if (const int place = arrays().place_of(c, Torus_site_3::above()); place < 4)
+        f(hull_facet(arrays().sites(c), place));
     }
   }
 
-  const State& m_state;
+  State& m_state;
   Torus_signs_3<State> m_signs;
+  std::vector<Cell_index> m_star;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

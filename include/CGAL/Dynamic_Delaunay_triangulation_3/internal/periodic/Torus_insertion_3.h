@@ -19,8 +19,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 // Inserts vertices into Delaunay cells of a torus: the cells whose spheres contain an image of the
 // vertex are replaced by cells from their boundary to it. That fails if two of these cells are
-// images of each other, or of neighbors, as among few points, or above all others in a slab: then
-// the images of the vertex are in each other's way.
+// images of each other, or of neighbors, as among few points, or above all others in a slab, or
+// outside of the hull of a wire: then the images of the vertex are in each other's way.
 template <class State>
 class Torus_insertion_3
 {
@@ -72,7 +72,8 @@ private:
   }
 
   // Walks to a cell that contains an image of a vertex, and returns that image in its chart. In
-  // Delaunay cells no such walk goes in a circle.
+  // Delaunay cells no such walk goes in a circle. In a wire it goes through finite cells alone, and
+  // ends in an infinite one if the image is beyond its hull facet.
   std::pair<Cell_index, Torus_site_3> locate(Vertex_index v)
   {
     Cell_index c = m_last;
@@ -81,8 +82,15 @@ private:
     const Multiples_3 nearest = Torus_3::nearest(m_state.torus.fractions(way));
     Torus_site_3 site{v, Torus_shift_3::of(nearest)};
     Corner_index entrance = null_index;
+    if (m_state.torus.is_wire() && arrays().is_infinite(c)) {
+      const Corner_index k = Arrays::corner(c, infinite_place(arrays().sites(c)));
+      site.shift = site.shift - arrays().translation(k);
+      c = Arrays::cell_of(arrays().mirror(k));
+    }
     for (bool goes_on = true; goes_on;) {
       goes_on = false;
+      if (m_state.torus.is_wire() && arrays().is_infinite(c))
+        break;
       const Torus_sites_3 sites = arrays().sites(c);
       for (int i = 0; i < 4 && !goes_on; ++i) {
         const Corner_index k = Arrays::corner(c, i);

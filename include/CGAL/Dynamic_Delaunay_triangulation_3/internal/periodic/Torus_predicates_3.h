@@ -149,6 +149,10 @@ private:
 //   it says whether e is inside of the circle of a, b and c, and of the perturbed one where there
 //   are ties. Four points in a plane have one affine dependency, too, so this is unique as above.
 // - P is outside of all spheres.
+// A wire has one point at infinity all around it, which has no place of its own; signs of cells
+// with it are those of `Wire_signs_3`. In the in-sphere determinant of a positive cell all that
+// counts of P is on which side of the plane of a, b and c it is, as above. So the normal of that
+// plane takes the place of n.
 class Torus_predicates_3
 {
 public:
@@ -200,11 +204,13 @@ public:
   {
     if (is_at_infinity(t))
       return -1;
-    if (is_at_infinity(p))
-      return -exact_side_of_sphere(q, p, r, s, t);
-    if (m_torus.is_slab())
+    if (is_at_infinity(p)) // an even permutation
+      return exact_side_of_sphere(q, r, p, s, t);
+    if (m_torus.dimension() < 3)
       if (const int side = side_beyond(p, q, r, s, t))
         return side;
+    if (m_torus.is_wire())
+      return exact_side_in_wire(p, q, r, s, t);
     return exact_side_of_sphere(exact_way(p, q), exact_way(p, r), exact_way(p, s), exact_way(p, t));
   }
 
@@ -275,6 +281,21 @@ private:
            : is_at_infinity(r) ? orientation(p, q, t, s)
            : is_at_infinity(s) ? orientation(p, q, r, t)
                                : 0;
+  }
+
+  // As above, where t is in the plane of three points, if a fourth one is at infinity.
+  int exact_side_in_wire(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+                         const Torus_point_3& s, const Torus_point_3& t) const
+  {
+    const auto way = [&](const Torus_point_3& to) { return m_torus.exact_vector(p, to); };
+    const Exact_vector_3 e = way(t);
+    if (is_at_infinity(q))
+      return exact_side_of_sphere(cross(way(r), way(s)), way(r), way(s), e);
+    if (is_at_infinity(r))
+      return exact_side_of_sphere(way(q), cross(way(s), way(q)), way(s), e);
+    if (is_at_infinity(s))
+      return exact_side_of_sphere(way(q), way(r), cross(way(q), way(r)), e);
+    return exact_side_of_sphere(way(q), way(r), way(s), e);
   }
 
   static int exact_side_of_sphere(const Exact_vector_3& b, const Exact_vector_3& c,

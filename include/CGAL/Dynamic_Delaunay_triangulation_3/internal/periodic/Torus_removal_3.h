@@ -20,7 +20,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // have each facet of the hole.
 //
 // That fails where a cell has two images of the vertex: then holes are in each other's way. It
-// fails in holes without end, too, those of vertices on the hull of a slab.
+// fails in holes without end, too, those of vertices on the hull of a slab or a wire.
 template <class State>
 class Torus_removal_3
 {

@@ -28,8 +28,8 @@ struct Torus_shift_3
 {
   int code = 0;
 
-  // Of the point above a slab. A pass takes it for a large shift, and leaves it to exact
-  // predicates.
+  // Of the point above a slab, or around a wire. A pass takes it for a large shift, and leaves it
+  // to exact predicates.
   static constexpr int beyond = 8 * 0x100000;
 
   static Torus_shift_3 of(const Multiples_3& m) { return {m[0] + 0x400 * m[1] + 0x100000 * m[2]}; }
@@ -55,7 +55,7 @@ private:
 using Shifts_3 = Few<Torus_shift_3, 4>;
 
 // An image of a vertex; or one of the two points at infinity of a slab, above or below it, which
-// are sites of the infinite vertex.
+// are sites of the infinite vertex. A wire has one such point, all around it: that of `above()`.
 struct Torus_site_3
 {
   static Torus_site_3 above() { return {Vertex_index(infinite_index), {Torus_shift_3::beyond}}; }
@@ -88,6 +88,25 @@ struct Torus_site_3
 };
 
 using Torus_sites_3 = Few<Torus_site_3, 4>;
+
+// The place of the site at infinity, or 4.
+inline int infinite_place(const Torus_sites_3& s)
+{
+  int place = 0;
+  while (place < 4 && !s[place].is_infinite())
+    ++place;
+  return place;
+}
+
+// The hull facet of an infinite cell, counterclockwise as seen from the point at infinity.
+using Torus_facet_3 = Few<Torus_site_3, 3>;
+
+inline Torus_facet_3 hull_facet(const Torus_sites_3& s, int infinite)
+{
+  const auto site = [&](int n) { return s[(infinite + n) % 4]; };
+  return infinite % 2 == 0 ? Torus_facet_3{site(1), site(3), site(2)}
+                           : Torus_facet_3{site(1), site(2), site(3)};
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 

@@ -16,7 +16,7 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// A torus or a slab: what an update does there. Cells that stay positive go on covering it once.
+// A torus, a slab or a wire: what an update does there.
 template <class Traits, class ConcurrencyTag>
 struct Torus_space_3
 {
@@ -27,7 +27,6 @@ struct Torus_space_3
   using Removal = Torus_removal_3<State>;
   using Static = Torus_triangulator_3<State>;
   using Proof = Torus_certificate_3<State>;
-  static constexpr bool goes_on_to_cover_once = true;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

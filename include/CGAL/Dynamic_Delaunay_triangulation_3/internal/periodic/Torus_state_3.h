@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_cells_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_predicates_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_translations_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/wires/Wire_signs_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_signs_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/State_base_3.h>
 
@@ -155,11 +156,8 @@ public:
     set_cell(state);
     if (cell == state.torus.cell())
       return;
-    if (cell.is_slab() && !state.torus.is_slab())
-      throw Periodic_cell_error_3(cell.a(), cell.b(), "a cell cannot become a slab");
-    if (!cell.is_slab() && state.torus.is_slab())
-      throw Periodic_cell_error_3(cell.a(), cell.b(), cell.c(),
-                                  "a slab cannot become a cell with three vectors");
+    if (cell.dimension() != state.torus.dimension())
+      Torus_3::refuse(cell, "a cell cannot get another number of vectors");
     m_torus = state.torus.moved_to(cell);
     m_can_mend = m_torus.has_value();
     if (!m_torus)
@@ -235,8 +233,10 @@ public:
   }
   // To be called after that: the last frame's vertices go with the cell.
   template <class State>
-  void carry(const State& state)
+  void carry(State& state)
   {
+    if (m_torus)
+      state.origin = state.torus.carried(state.origin, *m_torus);
     for (Vertex_index v(1); m_torus && v < positions.number(); ++v)
       positions.set(v, Torus_place_3(state.torus.carried(positions.position(v), *m_torus)));
   }
@@ -250,9 +250,9 @@ private:
   bool m_can_mend = true;
 };
 
-// Points in periodic space, their ids and their cells. Infinite cells, which there are in a slab
-// alone, end at points at infinity, so nothing depends on an origin; and there are cells as soon as
-// there is a point.
+// Points in periodic space, their ids and their cells. On a torus and in a slab nothing depends on
+// an origin, and there are cells as soon as there is a point. In a wire the origin is a point of
+// the axis (see `Wire_signs_3`), and there are cells unless all points are in a plane along it.
 template <class GeomTraits, class ConcurrencyTag>
 class Torus_state_3
   : public State_base_3<GeomTraits, ConcurrencyTag, Torus_positions_3, Torus_cells_3>
@@ -273,22 +273,28 @@ public:
   // spacings break 3.7 cells a vertex, and are mended in 7; of lattices that are shaken more cells
   // are not proved, but fewer broken.
   static constexpr std::size_t most_broken = 6; // cells a vertex
-  static constexpr bool positions_are_exact = true, has_origin = true;
+  static constexpr bool positions_are_exact = true;
 
   // Next to the hull of a slab, the facets of which are as large as the cell, a vertex has so many
   // neighbors that only a short way breaks few of its cells: 38 percent of the frames of 1,000
   // random points with steps of 0.05 mean spacings end with a vertex that cannot be taken out or
-  // inserted there, but 2 percent with these ways.
-  double smallest_way() const { return torus.is_slab() ? 0x1p-7 : 0.25; }
+  // inserted there, but 2 percent with these ways; in a wire 76 percent, but 5.
+  double smallest_way() const { return torus.dimension() < 3 ? 0x1p-7 : 0.25; }
 
   // The hull of a slab is flat: a way along it, as near to one between two positions as can be.
+  // That of a wire may be flat, and all that is known to be along it is along the wire.
   Position_3 along_hull(const Position_3& from, const Position_3& to) const
   {
-    if (!torus.is_slab())
+    if (torus.dimension() == 3)
       return to;
     const Position_3 way = to - from;
+    if (torus.is_wire())
+      return from + torus.combination(torus.fractions(way));
     return from + (way - torus.elevation(way) * torus.vector(2));
   }
+
+  // The hull of a wire may have moved across its axis.
+  bool goes_on_to_cover_once() const { return !torus.is_wire(); }
 
   explicit Torus_state_3(const Periodic_cell_3& cell)
     : torus(cell)
@@ -360,14 +366,17 @@ public:
     use_reach(m_present);
   }
   // A vertex that is held is carried by others' ways: at most twice as far as all go.
-  // That depends on both frames alone, as after a checkpoint.
-  bool begin_frame(const Position_3&, const Positions& previous)
+  // That depends on both frames alone, as after a checkpoint. The axis of a wire goes with the
+  // others.
+  bool begin_frame(const Position_3& mean, const Positions& previous)
   {
+    if (torus.is_wire())
+      set_origin(origin + mean);
     m_present = measures(positions, true);
     Torus_measures_3 reach = measures(previous, false).with(m_present);
     reach.extent = 4 * reach.extent;
     use_reach(reach);
-    return true;
+    return is_finite(origin);
   }
   // Wraps vertices into the basis' parallelepiped where one has gone far out of it, so that shifts
   // stay small.
@@ -396,6 +405,14 @@ public:
     use_reach({{reach[0], reach[0], reach[0]}, reach[1]});
     return true;
   }
+  // In a wire a point of the axis, which is moved along that as near to the vertices as these are
+  // to each other.
+  void set_origin(const Position_3& p)
+  {
+    origin = p;
+    if (is_finite(p) && is_far(p))
+      origin = p - torus.combination(Torus_3::floor(torus.fractions(p)));
+  }
   // Whether a vertex is so far out of the basis' parallelepiped that it is wrapped.
   bool is_far(const Position_3& p) const
   {
@@ -413,6 +430,7 @@ public:
   Torus_3 torus;
   Torus_translations_3 translations; // for visitors
   double squared_error = 0;          // by which filters have to reckon
+  bool has_origin = true;
   Position_3 origin{0, 0, 0};
 
 private:
@@ -467,6 +485,7 @@ public:
   explicit Torus_signs_3(const State& state)
     : m_state(state)
     , m_predicates(state.torus, state.squared_error)
+    , m_in_wire(state, m_predicates)
   {
   }
 
@@ -478,6 +497,9 @@ public:
     if (const int sign = m_predicates.filtered_orientation(position(s[0]), position(s[1]),
                                                            position(s[2]), position(s[3])))
       return sign;
+    if (m_state.torus.is_wire())
+      if (const int place = infinite_place(s); place < 4)
+        return m_in_wire.of(hull_facet(s, place));
     return m_predicates.exact_orientation(point(s[0]), point(s[1]), point(s[2]), point(s[3]));
   }
   bool is_positive(const Torus_sites_3& s) const { return of(s) > 0; }
@@ -510,16 +532,33 @@ public:
     if (const int sign = m_predicates.filtered_side_of_sphere(
             position(s[0]), position(s[1]), position(s[2]), position(s[3]), position(other)))
       return sign;
+    if (m_state.torus.is_wire())
+      if (const int sign = side_between_lines(s, other))
+        return sign;
     return m_predicates.exact_side_of_sphere(point(s[0]), point(s[1]), point(s[2]), point(s[3]),
                                              point(other));
   }
 
 private:
+  // Of an infinite cell of a wire, most of which have two images of one vertex; 0 if unknown.
+  int side_between_lines(const Torus_sites_3& s, const Torus_site_3& other) const
+  {
+    const int place = infinite_place(s);
+    if (place == 4)
+      return 0;
+    const Torus_facet_3 f = hull_facet(s, place);
+    for (int i = 0; i < 3; ++i)
+      if (f[i].vertex == f[(i + 1) % 3].vertex && f[(i + 2) % 3].vertex == other.vertex)
+        return m_in_wire.side_beside(f, i, other);
+    return 0;
+  }
+
   Torus_point_3 point(const Torus_site_3& site) const { return m_state.image(site); }
   Position_3 position(const Torus_site_3& site) const { return m_state.position(site); }
 
   const State& m_state;
   Torus_predicates_3 m_predicates;
+  Wire_signs_3<State> m_in_wire;
 };
 
 template <class Traits, class ConcurrencyTag>

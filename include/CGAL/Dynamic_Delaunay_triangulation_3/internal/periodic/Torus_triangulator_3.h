@@ -9,6 +9,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_certificate_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_insertion_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_patch_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/wires/Wire_axis_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/wires/Wire_outside_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/wires/Wire_planes_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Vertex_order_3.h>
 
 #include <algorithm>
@@ -37,6 +40,14 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // slab are in a cylinder along its normal, as wide as the largest empty circle of the lattice: in
 // the plane of each vertex a larger one has images of it inside. So a margin of some such circles
 // is enough.
+//
+// In a wire the first ones are those of the hull, as it is seen along its vector a, and some near
+// to it. The line along a through a vertex of a cell meets the cell's empty sphere in a chord that
+// is no longer than a, as there is an image of the vertex at each end of a longer one, or inside;
+// and the middle of the chord is as high along a as the center of the sphere. So the vertices of a
+// cell differ by |a| at most along a. A margin of one vector has all cells of the vertices within
+// the parallelepiped, one of two vectors also their neighbors; less is enough in most cases. In the
+// planes of hull facets circles take the place of spheres.
 template <class State>
 class Torus_triangulator_3
 {
@@ -67,7 +78,16 @@ public:
       covered.clear();
       if (m_state.torus.is_slab())
         bring_outermost_to_front(order, number / 8);
-      triangulate_with_images(order, (std::min)(number, std::size_t(vertices)), covered);
+      if (m_state.torus.is_wire())
+        number =
+            (std::max)(number, 2 * Wire_outside_3<State>(m_state).bring_to_front(order, number));
+      if (!triangulate_with_images(order, (std::min)(number, std::size_t(vertices)), covered)) {
+        if (number < vertices)
+          continue;
+        m_state.spans_space = false;
+        Wire_planes_3<State>(m_state).find_covered(covered);
+        break;
+      }
       if (insert_from(order, number, covered))
         break;
     }
@@ -140,7 +160,8 @@ private:
   }
 
   // Triangulates the first so many vertices. Those that coincide are left out in a second attempt.
-  void triangulate_with_images(const std::vector<Vertex_index>& order, std::size_t number,
+  // False if they are in a plane along a wire.
+  bool triangulate_with_images(const std::vector<Vertex_index>& order, std::size_t number,
                                Covered& covered)
   {
     m_seeds.assign(order.begin(), order.begin() + std::ptrdiff_t(number));
@@ -160,12 +181,14 @@ private:
         append_points_at_infinity();
         spans_space = triangulate();
       }
+      if (!spans_space && m_state.torus.is_wire())
+        return false;
       if (!coinciding.empty()) {
         leave_out(coinciding, covered);
         continue;
       }
       if (spans_space && take_over(patch))
-        return;
+        return true;
     }
   }
 
@@ -194,6 +217,8 @@ private:
   {
     if (m_state.torus.is_slab())
       return margin_in_slab(attempt);
+    if (m_state.torus.is_wire()) // rounding moves points by far less than a hundredth
+      return {attempt == 0 ? 1.5 : 2.01 * std::pow(1.4, attempt - 1), 0, 0};
     const double spacing = std::cbrt(m_state.torus.volume() / double(m_seeds.size()));
     const double growth = attempt < 2 ? 1 + 0.6 * attempt : std::pow(1.4, attempt - 2);
     Few<double, 3> margin;
@@ -270,15 +295,17 @@ private:
   };
 
   // The sites of a cell of the patch. In a slab one beyond its hull has the point at infinity above
-  // or below, unless the hull facet is a wall at the side of the patch. Nothing for those without
-  // such a cell of the torus.
+  // or below, unless the hull facet is a wall at the side of the patch; in a wire all that there
+  // is. Nothing for those without such a cell of the torus.
   std::optional<Torus_sites_3> sites(const Torus_patch_3<State>& patch, Cell_index c) const
   {
     Torus_sites_3 sites = patch.sites(c);
-    if (!m_state.torus.is_slab())
+    if (m_state.torus.dimension() == 3)
       return patch.arrays().is_infinite(c) ? std::nullopt : std::optional(sites);
     if (const int place = patch.arrays().place_of(c, infinite_index); place < 4) {
       sites[place] = Torus_site_3::above();
+      if (m_state.torus.is_wire())
+        return sites;
       if (m_signs.of(sites) < 0)
         sites[place] = Torus_site_3::below();
     }
@@ -313,7 +340,16 @@ private:
     for (const Vertex_index v : m_seeds)
       if (m_state.arrays.corner_of(v) == null_index)
         return false;
-    return Torus_certificate_3<State>(m_state).covers_once();
+    return (!m_state.torus.is_wire() || choose_axis()) &&
+           Torus_certificate_3<State>(m_state).covers_once();
+  }
+  bool choose_axis()
+  {
+    if (m_state.arrays.corner_of(infinite_index) == null_index)
+      return false;
+    std::vector<Cell_index> infinite;
+    find_star(m_state.arrays, infinite_index, m_state.marks, infinite);
+    return Wire_axis_3<State>(m_state, infinite).choose();
   }
 
   // Connects a corner with its mirror in a cell of the class that the neighbor in the patch has.

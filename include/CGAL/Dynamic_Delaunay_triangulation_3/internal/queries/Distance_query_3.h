@@ -63,6 +63,10 @@ public:
 
   // The site of a vertex that is next to the query point: exactly there if one of them is.
   static Vertex_index site(Vertex_index v) { return v; }
+  static Few<Vertex_index, 1> sites_beside(const State&, Vertex_index, Vertex_index v)
+  {
+    return {v};
+  }
   static Answer answer(std::size_t id) { return id; }
   static bool is_before(const Answer& a, const Answer& b) { return a < b; }
   // Calls f(answer) for every point at a site.
@@ -142,6 +146,18 @@ public:
   const State& state() const { return m_state; }
 
   Site site(Vertex_index v) const { return {v, Torus_shift_3::of(multiples_at(v))}; }
+  // In a wire, images of a vertex that are as high along it as a site, or up to one and a half
+  // vectors higher or lower: those in a ball, and those nearest to a place, are connected by steps
+  // between such sites.
+  static Few<Site, 5> sites_beside(const State& state, const Site& s, Vertex_index v)
+  {
+    const Position_3 way = state.position(s) - state.positions.position(v);
+    const int nearest = Torus_3::nearest(state.torus.fractions(way))[0];
+    Few<Site, 5> sites;
+    for (int i = 0; i < 5; ++i)
+      sites[i] = {v, Torus_shift_3::of({nearest + i - 2, 0, 0})};
+    return sites;
+  }
   static Answer answer(std::size_t id) { return {id, Periodic_shift_3{0, 0, 0}}; }
   // That of the pairs. (g++ 12 warns that their arrays, when compared, may be uninitialized.)
   static bool is_before(const Answer& a, const Answer& b)
@@ -158,9 +174,8 @@ public:
     };
     const Vertex_index v = site.vertex;
     call(m_state.ids.representative(v), m_state.positions.multiples(v));
-    m_state.ids.for_each_covered_at(v, [&](Point_id id, const Point& p) {
-      call(id, m_state.place_near(p, v).multiples);
-    });
+    m_state.ids.for_each_covered_at(
+        v, [&](Point_id id, const Point& p) { call(id, m_state.place_near(p, v).multiples); });
   }
 
   // Shifts have multiples below 2^9. Those of an edge are few.

@@ -81,14 +81,10 @@ public:
     : m_sites(sites_for(state, box))
     , m_cells(Parts::number(state.number_of_vertices(), least_stars<Parts>))
   {
-    if constexpr (Charts::is_periodic) {
+    if (state.spans_space)
       m_corners.emplace(m_sites);
-    } else {
-      if (state.spans_space)
-        m_corners.emplace(m_sites);
-      else
-        m_flat.list_cells(state);
-    }
+    else if constexpr (!Charts::is_periodic)
+      m_flat.list_cells(state);
     if (box != nullptr)
       m_box = Box_3{m_sites.scaled(box->low), m_sites.scaled(box->high)};
   }
@@ -132,9 +128,10 @@ private:
     cell.measures = {infinity, infinity};
     cell.is_bounded = false;
     cell.neighbors.clear();
-    m_flat.for_each_neighbor(v, [&](Vertex_index w) {
-      cell.neighbors.push_back({Charts::site(w), infinity});
-    });
+    if constexpr (!Charts::is_periodic)
+      m_flat.for_each_neighbor(v, [&](Vertex_index w) {
+        cell.neighbors.push_back({Charts::site(w), infinity});
+      });
   }
 
   // Leaves a whole cell what is in the box.
@@ -149,8 +146,8 @@ private:
   }
 
   const Sites m_sites;
-  std::optional<Voronoi_vertices_3<State>> m_corners; // unless the points are in a plane
-  Flat_neighbors_3 m_flat;                            // if they are
+  std::optional<Voronoi_vertices_3<State>> m_corners; // unless there are no cells
+  Flat_neighbors_3 m_flat;                            // in open space, if there are none
   std::optional<Box_3> m_box;                         // in units of the sites
   std::vector<Cell> m_cells;                          // of each part
 };

@@ -142,8 +142,8 @@ public:
   }
 
   // Whether a site is exactly on the sphere of a cell. No perturbation breaks ties here. For an
-  // infinite cell, whether it is on the circle of its hull facet, in the plane of which it has to
-  // be.
+  // infinite cell, whether it is on the circle of its hull facet; in a slab it has to be in the
+  // plane of that.
   bool are_on_a_sphere(const Torus_sites_3& cell, const Site& other) const
   {
     const int first = cell[0].is_infinite() ? 1 : 0;
@@ -160,10 +160,17 @@ public:
     if (filter.side_of_sphere(way(3)) != 0)
       return false;
     const auto exact = [&](int i) {
-      return m_state.torus.end_of_space(ends[i]) != 0 ? m_state.torus.exact_vector(2)
-                                                      : m_state.torus.exact_vector(origin, ends[i]);
+      return m_state.torus.end_of_space(ends[i]) == 0 ? m_state.torus.exact_vector(origin, ends[i])
+             : m_state.torus.is_slab()
+                 ? m_state.torus.exact_vector(2)
+                 : cross(m_state.torus.exact_vector(origin, ends[(i + 1) % 3]),
+                         m_state.torus.exact_vector(origin, ends[(i + 2) % 3]));
     };
     const Exact_vector_3 b = exact(0), c = exact(1), d = exact(2), e = exact(3);
+    if (m_state.torus.is_wire())
+      for (int i = 0; i < 3; ++i) // the plane of a hull facet
+        if (m_state.torus.end_of_space(ends[i]) != 0 && !CGAL::is_zero(dot(exact(i), e)))
+          return false;
     const Exact_vector_3 cd = cross(c, d), db = cross(d, b), bc = cross(b, c);
     return CGAL::is_zero(dot(b, cd) * dot(e, e) - dot(cd, e) * dot(b, b) - dot(db, e) * dot(c, c) -
                          dot(bc, e) * dot(d, d));

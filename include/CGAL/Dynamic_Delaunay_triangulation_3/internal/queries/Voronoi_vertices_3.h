@@ -79,8 +79,8 @@ public:
   // coincide. The first and the last of those in between do not, since they are ends of one side;
   // so there is an area if corners change three times, and none if they never do, or change twice:
   // to and fro. The infinite cells of coplanar hull facets have one infinite corner, others have
-  // different ones. In a slab, where all hull facets are coplanar, those with a common circle have
-  // one.
+  // different ones. In periodic space only those with a common circle have one: in a slab all hull
+  // facets are coplanar, and may be without cells beneath.
   bool span_area(Vertex_index v, const Site& w, const Cell_ring& ring,
                  const std::vector<Position_3>& corners) const
   {

@@ -38,6 +38,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //   renumber_vertices(numbers, n)     of the cells, as `Cell_arrays_3::renumber_all()`
 //   double smallest_way()             share of its way by which a held vertex may move on
 //   Position_3 along_hull(p, q)       where a vertex of the hull waits instead of q, if held from p
+//   bool goes_on_to_cover_once()      whether cells, infinite ones too, that are positive before
+//   and
+//                                     after motion go on to cover space once
 //   spans_space, positions_are_exact, has_origin, origin, most_broken
 template <class GeomTraits, class ConcurrencyTag, class Positions_of_space, class Arrays_of_space>
 class State_base_3

@@ -96,6 +96,7 @@ public:
 
   static double smallest_way() { return 0.25; }
   static Position_3 along_hull(const Position_3&, const Position_3& to) { return to; }
+  static constexpr bool goes_on_to_cover_once() { return false; } // a ray says so
 
   explicit Triangulation_state_3(const Traits& geometry = Traits())
     : traits(geometry)

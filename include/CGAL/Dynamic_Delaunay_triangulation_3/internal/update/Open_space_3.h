@@ -75,7 +75,6 @@ struct Open_space_3
   using Removal = Vertex_removal_3<State>;
   using Static = Static_triangulator_3<State>;
   using Proof = Open_proof_3<State>;
-  static constexpr bool goes_on_to_cover_once = false; // a ray says so
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

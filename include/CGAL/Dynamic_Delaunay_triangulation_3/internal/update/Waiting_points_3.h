@@ -212,7 +212,7 @@ private:
 
   // Moves a vertex whose finite cells stay positive, and flips. As their border does not move, they
   // cover what they did, once. So do infinite ones of a slab. False, and nothing has changed, if a
-  // cell is infinite in open space, or inverted, or if flips are stuck.
+  // cell is infinite in other spaces, or inverted, or if flips are stuck.
   bool move_within_star(Vertex_index v, const Place& place)
   {
     Arrays& arrays = m_state.arrays;
@@ -220,7 +220,7 @@ private:
     const Place before = m_state.positions.place(v);
     m_state.positions.set(v, place);
     const bool is_inside = std::all_of(m_star.begin(), m_star.end(), [&](Cell_index c) {
-      return (Space::goes_on_to_cover_once || !arrays.is_infinite(c)) && m_flips.is_positive(c);
+      return (m_state.goes_on_to_cover_once() || !arrays.is_infinite(c)) && m_flips.is_positive(c);
     });
     if (is_inside) {
       arrays.forget_safe_cells(m_star);
