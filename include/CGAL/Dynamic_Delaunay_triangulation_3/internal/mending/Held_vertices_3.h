@@ -419,10 +419,12 @@ private:
     work.held.push_back({v, m_state.positions.place(v),
                          motion.has_neighbors ? Waits::CARRIED : Waits::AT_HOME, !jumps, false, 0});
     m_number[v] = Index(work.first + work.held.size() - 1);
-    const Position_3 wanted =
-        m_previous.position(v) + (motion.has_neighbors ? motion.mean : m_mean);
-    // on a flat hull it waits in its plane: out of it, it would be the only vertex there
-    move(work, v, Place(motion.is_on_hull ? m_state.along_hull(position(v), wanted) : wanted));
+    Position_3 wanted = m_previous.position(v) + (motion.has_neighbors ? motion.mean : m_mean);
+    if (motion.is_on_hull) { // on a flat one it waits in its plane: out of it, it would be alone
+      find_star(work, v);
+      wanted = m_state.along_hull(position(v), wanted, work.star);
+    }
+    move(work, v, Place(wanted));
   }
 
   bool can_wait_farther_back(const Held& held) const
@@ -664,8 +666,9 @@ private:
       m_number[v] = Index(m_whole.held.size() - 1);
     }
     const Position_3 wanted = home(v).position;
-    const Position_3 back =
-        motion_of(m_whole, v).is_on_hull ? m_state.along_hull(position(v), wanted) : wanted;
+    const Position_3 back = motion_of(m_whole, v).is_on_hull
+                                ? m_state.along_hull(position(v), wanted, m_whole.star)
+                                : wanted;
     for (const double way : {1.0, 0.5, 0.25}) {
       const Place to(between(from.position, back, way));
       if (is_same(to.position, from.position))

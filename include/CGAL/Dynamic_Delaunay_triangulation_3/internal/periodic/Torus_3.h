@@ -260,6 +260,15 @@ public:
            std::abs(shift[2]) <= most_in_filter;
   }
 
+  static double product(const Position_3& p, const Position_3& q)
+  {
+    return p.x * q.x + p.y * q.y + p.z * q.z;
+  }
+  static Position_3 cross_product(const Position_3& p, const Position_3& q)
+  {
+    return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
+  }
+
   [[noreturn]] static void refuse(const Periodic_cell_3& cell, const char* demand)
   {
     if (cell.is_wire())
@@ -283,14 +292,6 @@ private:
     set_near();
   }
 
-  static double product(const Position_3& p, const Position_3& q)
-  {
-    return p.x * q.x + p.y * q.y + p.z * q.z;
-  }
-  static Position_3 cross_product(const Position_3& p, const Position_3& q)
-  {
-    return {p.y * q.z - p.z * q.y, p.z * q.x - p.x * q.z, p.x * q.y - p.y * q.x};
-  }
   static bool is_small(const Position_3& p)
   {
     return std::abs(p.x) < max_multiple && std::abs(p.y) < max_multiple &&

@@ -281,16 +281,19 @@ public:
   // inserted there, but 2 percent with these ways; in a wire 76 percent, but 5.
   double smallest_way() const { return torus.dimension() < 3 ? 0x1p-7 : 0.25; }
 
-  // The hull of a slab is flat: a way along it, as near to one between two positions as can be.
-  // That of a wire may be flat, and all that is known to be along it is along the wire.
-  Position_3 along_hull(const Position_3& from, const Position_3& to) const
+  // A way along the hull, as near to one between two positions as can be: the hull of a slab is
+  // flat, and that of a wire may be so around a vertex; else it is along the wire.
+  Position_3 along_hull(const Position_3& from, const Position_3& to,
+                        const std::vector<Cell_index>& star) const
   {
-    if (torus.dimension() == 3)
-      return to;
     const Position_3 way = to - from;
-    if (torus.is_wire())
-      return from + torus.combination(torus.fractions(way));
-    return from + (way - torus.elevation(way) * torus.vector(2));
+    if (torus.is_slab())
+      return from + (way - torus.elevation(way) * torus.vector(2));
+    if (!torus.is_wire())
+      return to;
+    if (const std::optional<Position_3> normal = normal_of_wall(star))
+      return from + (way - Torus_3::product(*normal, way) * *normal);
+    return from + torus.combination(torus.fractions(way));
   }
 
   // The hull of a wire may have moved across its axis.
@@ -448,6 +451,27 @@ private:
     return p + torus.combination(shift);
   }
   static Point to_point(const Position_3& p) { return Point(p.x, p.y, p.z); }
+
+  // The normal of the hull facets of some cells, if rounding finds no other one.
+  std::optional<Position_3> normal_of_wall(const std::vector<Cell_index>& cells) const
+  {
+    std::optional<Position_3> normal;
+    for (const Cell_index c : cells) {
+      const Torus_sites_3 s = arrays.sites(c);
+      const int infinite = infinite_place(s);
+      if (infinite == 4)
+        continue;
+      const Torus_facet_3 f = hull_facet(s, infinite);
+      const Position_3 p = position(f[0]);
+      const Position_3 n = Torus_3::cross_product(position(f[1]) - p, position(f[2]) - p);
+      const Position_3 unit = (1 / std::sqrt(squared_length(n))) * n;
+      if (!normal)
+        normal = unit;
+      if (!(std::abs(Torus_3::product(*normal, unit)) > 1 - 1e-14))
+        return std::nullopt;
+    }
+    return normal;
+  }
 
   void use_reach(const Torus_measures_3& reach)
   {

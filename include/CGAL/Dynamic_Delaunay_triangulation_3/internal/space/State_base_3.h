@@ -37,7 +37,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //   void begin_rebuild()              all points are about to get other vertices
 //   renumber_vertices(numbers, n)     of the cells, as `Cell_arrays_3::renumber_all()`
 //   double smallest_way()             share of its way by which a held vertex may move on
-//   Position_3 along_hull(p, q)       where a vertex of the hull waits instead of q, if held from p
+//   Position_3 along_hull(p, q, star) where a vertex of the hull waits instead of q, if held from p
 //   bool goes_on_to_cover_once()      whether cells, infinite ones too, that are positive before
 //   and
 //                                     after motion go on to cover space once

@@ -95,7 +95,11 @@ public:
   static constexpr std::size_t most_broken = 3; // cells a vertex
 
   static double smallest_way() { return 0.25; }
-  static Position_3 along_hull(const Position_3&, const Position_3& to) { return to; }
+  static Position_3 along_hull(const Position_3&, const Position_3& to,
+                               const std::vector<Cell_index>&)
+  {
+    return to;
+  }
   static constexpr bool goes_on_to_cover_once() { return false; } // a ray says so
 
   explicit Triangulation_state_3(const Traits& geometry = Traits())
