@@ -415,8 +415,8 @@ def _are_periodic_in_space(names: tuple[str, ...], arguments: tuple[Any, ...], n
 
 class PeriodicDelaunay(_ByNumbers, _Periodic, _PeriodicByShape):
     """The Delaunay triangulation of moving points in a periodic cell, which may change with every frame. Of points
-    (n, 3), or of a cell in space, (3,), (3, 3) or (2, 3), it becomes a PeriodicDelaunay3D, which of the settings has
-    ``changes`` and ``threads``.
+    (n, 3), or of a cell in space, (3,), (3, 3), (2, 3) or (1, 3), it becomes a PeriodicDelaunay3D, which of the settings
+    has ``changes`` and ``threads``.
 
     It is of one sheet, and exact: n points have 3n edges and 2n triangles. An edge goes from a point to the image of
     another one by a shift (i, j), which is moved by i times the first vector of the cell and j times the second one.

@@ -39,7 +39,7 @@ class PeriodicNeighborLists3D(NamedTuple):
 class PeriodicVoronoiCells3D(NamedTuple):
     """Voronoi cells of points in periodic space, a row for each id; zeros for ids that are free. Of a population, a row
     for each point. The volumes add up to that of the periodic cell. In a slab the cells of its highest and lowest
-    points are unbounded.
+    points are unbounded, in a wire those of the points on its hull.
 
     Points that coincide share a cell: each has its share of the volume, and the first of them has the facets.
     """
@@ -64,22 +64,22 @@ class PeriodicVoronoiCells3D(NamedTuple):
 
 
 def is_cell_in_space(cell: Any) -> bool:
-    """Whether the shape is (3,), (3, 3) or (2, 3). What is no array at all is refused where cells are read."""
+    """Whether the shape is (3,), (3, 3), (2, 3) or (1, 3). What is no array at all is refused where cells are read."""
     try:
-        return np.shape(cell) in ((3,), (3, 3), (2, 3))
+        return np.shape(cell) in ((3,), (3, 3), (2, 3), (1, 3))
     except (TypeError, ValueError):
         return False
 
 
 def _vectors(cell: ArrayLike) -> list[list[float]]:
-    """From three sides, or three vectors as rows, or the two of a slab."""
+    """From three sides, or three vectors as rows, or the two of a slab, or the one of a wire."""
     array = as_floats("a cell", cell)
     if array.shape == (3,):
         array = np.diag(array)
-    if array.shape not in ((3, 3), (2, 3)):
+    if array.shape not in ((3, 3), (2, 3), (1, 3)):
         raise PeriodicCellError(
             f"a cell of points in space has the shape {array.shape}: it must be (3,) for the sides of a box, (3, 3) for "
-            "three vectors, a row each, or (2, 3) for those of a slab"
+            "three vectors, a row each, (2, 3) for those of a slab, or (1, 3) for that of a wire"
         )
     vectors: list[list[float]] = array.tolist()
     return vectors
@@ -103,7 +103,7 @@ class _InPeriodicSpace(ChangedEdgeShifts, PointsInSpace, _core.PeriodicTriangula
 
     @property
     def cell(self) -> NDArray[np.float64]:
-        """float64 (vectors, 3): the vectors of the cell, a row each: three, or two of a slab."""
+        """float64 (vectors, 3): the vectors of the cell, a row each: three, two of a slab, or one of a wire."""
         return self._cell()
 
     @property
@@ -161,8 +161,8 @@ class _InPeriodicSpace(ChangedEdgeShifts, PointsInSpace, _core.PeriodicTriangula
 
 class PeriodicDelaunay3D(ByNumbers3D, _InPeriodicSpace):
     """The Delaunay triangulation of moving points in a periodic cell in space, which ``PeriodicDelaunay(points, cell)``
-    makes of points (n, 3), or of a cell in space. The cell may change with every frame; only one that is a slab stays
-    one.
+    makes of points (n, 3), or of a cell in space. The cell may change with every frame, but not the number of its
+    vectors.
 
     It is of one sheet, and exact, however few points there are. An edge goes from a point to the image of another one,
     or of itself, by a shift (i, j, k), which is moved by i times the first vector of the cell, j times the second one
@@ -176,7 +176,9 @@ class PeriodicDelaunay3D(ByNumbers3D, _InPeriodicSpace):
     cell : array_like
         (3,) the sides of a box; (3, 3) three vectors, a row each, at any angles; (2, 3) the two vectors of a slab,
         which is open across them, as a film or what is between two walls. The third number of each shift is 0 there,
-        and simplices fill the layer between the highest and the lowest points.
+        and simplices fill the layer between the highest and the lowest points; (1, 3) the vector of a wire, which is
+        open across it, as a nanotube or what is in a pipe. The last two numbers of each shift are 0 there, and
+        simplices fill the convex prism around all points; there are none if these are in a plane along the wire.
     changes : bool
         Whether to record created and removed edges. That costs time for each tetrahedron that changes.
     threads : int

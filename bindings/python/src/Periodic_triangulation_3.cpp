@@ -22,10 +22,13 @@ namespace python {
 namespace {
 
 using Report = Periodic_subject_3::Report;
-using Vectors = std::vector<CGAL::Periodic_cell_3::Coordinates>; // three, or two of a slab
+using Vectors = std::vector<CGAL::Periodic_cell_3::Coordinates>; // three, two or one
 
 CGAL::Periodic_cell_3 cell_of(const Vectors& vectors)
 {
+  if (vectors.size() == 1) {
+    return CGAL::Periodic_cell_3(vectors.at(0));
+  }
   return vectors.size() == 2 ? CGAL::Periodic_cell_3(vectors.at(0), vectors.at(1))
                              : CGAL::Periodic_cell_3(vectors.at(0), vectors.at(1), vectors.at(2));
 }

@@ -173,11 +173,14 @@ private:
   // Whether the last call has failed before a visitor was told of all that it has changed.
   bool is_untold() const { return Base::is_recording() && owner().visitor().is_in_update(); }
 
-  // About how many images of a point are in a sphere; in a slab, of one in its middle plane.
+  // About how many images of a point are in a sphere; in a slab or a wire, of one in its middle.
   double images_within(double radius) const
   {
     constexpr double pi = 3.14159;
     const auto& cell = dt().cell();
+    if (cell.is_wire()) {
+      return 2 * (radius / std::hypot(cell.a()[0], cell.a()[1], cell.a()[2]));
+    }
     if (cell.is_slab()) {
       const auto &a = cell.a(), &b = cell.b();
       const double area = std::hypot(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],

@@ -185,8 +185,8 @@ def test_a_slab_stays_one(cell):
 
 
 def test_messages_name_the_shapes_and_vectors():
-    with pytest.raises(errors.PeriodicCellError, match=r"has the shape \(1, 3\): .*, or \(2, 3\) for those of a slab"):
-        PeriodicDelaunay(cloud(10), [(1, 0, 0)])
+    with pytest.raises(errors.PeriodicCellError, match=r"has the shape \(4, 3\): .*, \(2, 3\) for those of a slab, or"):
+        PeriodicDelaunay(cloud(10), np.ones((4, 3)))
     with pytest.raises(errors.PeriodicCellError, match=r"slab has the vectors \(1, 2, 3\) and \(2, 4, 6\): .*parallel"):
         PeriodicDelaunay(cloud(10), [(1, 2, 3), (2, 4, 6)])
 
