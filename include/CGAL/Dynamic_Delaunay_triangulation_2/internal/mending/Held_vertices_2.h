@@ -243,8 +243,8 @@ private:
   template <class Held_at>
   void prefetch_stars(std::size_t first, std::size_t beyond, const Held_at& held_at) const
   {
-    internal::prefetch_stars(m_state, first, beyond,
-                             [&](std::size_t i) { return m_held[held_at(i)].vertex; });
+    internal::prefetch_stars<true>(m_state, first, beyond,
+                                   [&](std::size_t i) { return m_held[held_at(i)].vertex; });
   }
 
   // FACES ---------------------------------------------------------------------------------------
