@@ -31,7 +31,7 @@ struct Run_subject
   std::optional<double> time_step;
   std::optional<std::uint64_t> seed; // where there is chance
   std::optional<scenario::Packing> packing;
-  std::optional<std::string> cell{}; // "torus" or "slab" where space is periodic
+  std::optional<std::string> cell{}; // "torus", "slab" or "wire" where space is periodic
 };
 
 // The classifier, repair and policy of a run, in one line.

@@ -229,7 +229,7 @@ int run_in_space(const run::Run_options& options, scenario::Motion_3& motion,
   run::Run_subject_3 subject{motion.name(),      options.policy, options.threads,
                              motion.time_step(), facts.seed,     std::nullopt};
   if (motion.cell()) {
-    subject.cell = motion.cell()->is_slab() ? "slab" : "torus";
+    subject.cell = motion.cell()->kind();
   }
   run::Run_summary_3 summary;
   {

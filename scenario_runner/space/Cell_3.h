@@ -30,14 +30,19 @@ struct Cell_3
   {
     return std::count(is_periodic.begin(), is_periodic.end(), true);
   }
-  // Whether space is open across two periodic sides.
+  // Whether space is open across two periodic sides, or across a single one.
   bool is_slab() const { return number_of_periodic_sides() == 2; }
+  bool is_wire() const { return number_of_periodic_sides() == 1; }
+  // "torus", "slab" or "wire".
+  const char* kind() const { return is_wire() ? "wire" : is_slab() ? "slab" : "torus"; }
   // The numbers of the periodic sides of a slab.
   std::array<std::size_t, 2> sides_of_slab() const
   {
     return {is_periodic[0] ? std::size_t(0) : std::size_t(1),
             is_periodic[2] ? std::size_t(2) : std::size_t(1)};
   }
+  // The periodic side of a wire.
+  const Point_3& side_of_wire() const { return sides[is_periodic[0] ? 0 : is_periodic[1] ? 1 : 2]; }
 
   bool is_finite() const
   {
@@ -63,9 +68,12 @@ struct Cell_3
                       a[0] * b[1] - a[1] * b[0]);
   }
 
-  // Whether it repeats space along three sides, or two.
+  // Whether it repeats space along three sides, two, or one.
   bool repeats_space() const
   {
+    if (is_wire()) {
+      return is_finite() && side_of_wire() != Point_3{};
+    }
     const auto number = number_of_periodic_sides();
     return is_finite() && (number == 3 ? volume() != 0.0 : number == 2 && area_of_slab() > 0.0);
   }

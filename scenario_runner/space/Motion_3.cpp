@@ -32,19 +32,16 @@ std::string periodic_sides_text(const Cell_3& box)
 // Why space cannot be repeated by a box; empty if it can.
 std::string flaw_of(const Cell_3& box)
 {
-  if (box.number_of_periodic_sides() == 1) {
-    return "whose box is periodic only along its " + periodic_sides_text(box) +
-           " side: in space, it has to be so along all three sides, along two, or along none";
-  }
   if (!box.is_finite()) {
     return "the sides of whose box are too long for a number";
   }
   if (box.repeats_space()) {
     return "";
   }
-  return box.is_slab() ? "whose box is periodic along its " + periodic_sides_text(box) +
-                             " side, which are parallel"
-                       : "whose box has no volume";
+  const std::string periodic = "whose box is periodic along its " + periodic_sides_text(box);
+  return box.is_wire()   ? periodic + " side, whose length is 0"
+         : box.is_slab() ? periodic + " side, which are parallel"
+                         : "whose box has no volume";
 }
 
 void check_frame(const std::string& file, const Recorded_frame& frame, const std::string& advice)

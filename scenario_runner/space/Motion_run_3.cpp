@@ -41,7 +41,7 @@ public:
           Shown_cell_3 cell{{}, shifts};
           std::transform(ids.begin(), ids.end(), cell.places.begin(),
                          [this](std::size_t id) { return m_places[id]; });
-          if (box && box->is_slab()) {
+          if (box && box->number_of_periodic_sides() < 3) {
             for (scenario::Shift_3& shift : cell.shifts) {
               shift = box->shift_of_periodic_sides(shift);
             }

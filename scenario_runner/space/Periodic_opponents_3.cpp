@@ -112,7 +112,7 @@ void Periodic_opponents_3::prepare(const scenario::Motion_3& motion,
   for (const auto& [x, y, z] : motion.points()) {
     m_points.emplace_back(x, y, z);
   }
-  if (m_cell->is_slab()) {
+  if (m_cell->number_of_periodic_sides() < 3) {
     return;
   }
   if (m_cell->is_cube()) {
@@ -130,7 +130,7 @@ double Periodic_opponents_3::time_insert()
   // CGAL is told that there are so many points that one copy of them suffices, where that is
   // faster.
   constexpr std::size_t large = 100;
-  if (m_cell->is_slab()) {
+  if (m_cell->number_of_periodic_sides() < 3) {
     return time_fresh();
   }
   if (!m_cell->is_cube()) {
@@ -147,7 +147,7 @@ double Periodic_opponents_3::time_insert()
 
 double Periodic_opponents_3::time_fastest()
 {
-  if (m_cell->is_slab()) {
+  if (m_cell->number_of_periodic_sides() < 3) {
     return time_fresh();
   }
   const double by_ghosts = m_ghosts.time_fastest();

@@ -23,9 +23,12 @@ using Dynamic_periodic_3 = CGAL::Dynamic_periodic_Delaunay_triangulation_3<
     CGAL::Exact_predicates_inexact_constructions_kernel, CGAL::With_concurrency_2<Concurrency_tag>,
     CGAL::With_policy_2<Any_policy_3>>;
 
-// Of a motion that is periodic along all sides, or in a slab along two.
+// Of a motion that is periodic along all sides, in a slab along two, or in a wire along one.
 inline CGAL::Periodic_cell_3 periodic_cell(const scenario::Cell_3& cell)
 {
+  if (cell.is_wire()) {
+    return CGAL::Periodic_cell_3(cell.side_of_wire());
+  }
   if (cell.is_slab()) {
     const auto [i, j] = cell.sides_of_slab();
     return CGAL::Periodic_cell_3(cell.sides[i], cell.sides[j]);
@@ -38,8 +41,8 @@ inline CGAL::Periodic_cell_3 periodic_cell(const scenario::Cell_3& cell)
 // - CGAL's triangulation of open space, of the points and ghosts, their images in a margin around
 //   the cell. It has all cells if the margin is as wide as the radius of the largest empty sphere.
 //   The margin is that radius of the frame before, in the scale of this one, plus a quarter;
-// - the package's own one, made anew. It is the only one in a slab, where the flat cells among
-//   the highest and the lowest points would need a margin of ghosts that is wider than the cell.
+// - the package's own one, made anew. It is the only one in a slab or a wire, where the flat cells
+//   among the outermost points would need a margin of ghosts that is wider than the cell.
 //
 // Whatever a program could have at hand before the frame comes, wrapping, finding ghosts and their
 // order, and all destruction, is outside of the timing.
@@ -53,7 +56,7 @@ public:
   void prepare(const scenario::Motion_3& motion, const Dynamic_periodic_3& before);
 
   // CGAL's own insertion of a range, as a user would write it: of points in a cube, in any other
-  // cell of points and ghosts; in a slab, the package's own triangulation.
+  // cell of points and ghosts; in a slab or a wire, the package's own triangulation.
   double time_insert();
 
   // The faster one of inserting points and ghosts in their order, and of the package's own

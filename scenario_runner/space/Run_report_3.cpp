@@ -68,8 +68,9 @@ void write_table(std::ostream& out, const Run_subject_3& subject, const Run_summ
   table.add("a frame", "unproved " + readable(summary.unproved_mean) + ", flips " +
                            readable(summary.flips_mean) + ", held " + readable(summary.held_mean) +
                            ", relocated " + readable(summary.relocated_mean));
-  if (subject.cell == "slab") {
-    table.add("static ways", "its own triangulation made anew: CGAL has none of slabs");
+  if (subject.cell == "slab" || subject.cell == "wire") {
+    table.add("static ways",
+              "its own triangulation made anew: CGAL has none of " + *subject.cell + "s");
   }
   add_comparison(table, summary);
   table.write(out);

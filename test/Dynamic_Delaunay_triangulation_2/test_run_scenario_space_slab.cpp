@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // The program run_scenario where points move in a slab in space: dumps and XYZ files as simulations
-// of films, membranes and of what is between walls write them, and what it writes itself.
+// of films, membranes and of what is between walls write them, and what it writes itself. And where
+// they move in a wire.
 
 #include "scenario_program.h"
 #include "scenario_runner/Number_text.h"
@@ -204,7 +205,8 @@ void expect_same(const Rows& rows, const Rows& others)
   }
 }
 
-// Of the points themselves, in open space among their images in nine times nine boxes.
+// Of the points themselves, in open space among their images in nine times nine boxes, or, of a
+// wire, in 81 of them.
 Rows cells_among_images(const Frame& frame)
 {
   std::ostringstream table;
@@ -213,7 +215,9 @@ Rows cells_among_images(const Frame& frame)
   for (int image = 0; image != 81; ++image) {
     const int kind = (image + 40) % 81; // the points themselves first
     for (const Point_3& p : frame.points) {
-      const Point_3 place = frame.box.image(p, {kind % 9 - 4, kind / 9 - 4, 0});
+      const Point_3 place = frame.box.image(
+          p, frame.box.is_wire() ? scenario::Shift_3{kind - 40, 0, 0}
+                                 : scenario::Shift_3{kind % 9 - 4, kind / 9 - 4, 0});
       table << "0," << id++ << ',' << number_text(place[0]) << ',' << number_text(place[1]) << ','
             << number_text(place[2]) << '\n';
     }
@@ -431,6 +435,37 @@ std::string errors_of(const std::string& name, const std::string& text, const Wo
 }
 
 const std::vector<Point_3> two_points = {{1, 2, 3}, {2, 1, 1}};
+
+TEST(Run_in_wire, follows_dumps_and_XYZ_files_along_any_side)
+{
+  std::vector<Frame> frames = film(4, 40);
+  for (Frame& frame : frames) {
+    frame.box.is_periodic = {true, false, false};
+  }
+  const std::string path = write_file("wire.xyz", xyz_of(frames));
+  const Json report = report_of({path});
+  EXPECT_EQ(report["cell"], "wire");
+  EXPECT_EQ(report["certified_frames"], 3);
+  EXPECT_EQ(report["valid_frames"], 3);
+  const Rows rows = cells_of({path});
+  ASSERT_EQ(rows.size(), 160u);
+  Rows last;
+  for (const auto& [key, row] : rows) {
+    if (key.first == "300") {
+      last[{"0", key.second}] = row;
+    }
+  }
+  expect_same(last, cells_among_images(frames.back()));
+  const std::vector<Frame> upright = turned(frames, {1, 2, 0});
+  expect_same(cells_of({write_file("upright_wire.xyz", xyz_of(upright))}), rows);
+  for (const char* const boundaries : {"pp ff ff", "ff pp fs", "ff mm pp"}) {
+    EXPECT_EQ(report_of({write_file("wire.dump", dump_with_box(7, boundaries, "0 8\n0 8\n0 8",
+                                                               frames[0].points))})["cell"],
+              "wire");
+  }
+  const Outcome outcome = run_program({path});
+  EXPECT_TRUE(contains(outcome.output, "CGAL has none of wires")) << outcome.output;
+}
 
 TEST(Refused_in_slab, are_frames_of_different_kinds)
 {

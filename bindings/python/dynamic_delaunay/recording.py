@@ -28,8 +28,8 @@ class RecordedFrame(NamedTuple):
     points: NDArray[np.float64]
     """float64 (n, 2): x and y of each point; (n, 3) of a recording in space: x, y and z"""
     cell: Optional[NDArray[np.float64]]
-    """float64 (2, 2): the vectors of the periodic cell; (1, 2) of a slab; (3, 3) of a recording in space, or (2, 3)
-    of a slab; None where space is open"""
+    """float64 (2, 2): the vectors of the periodic cell; (1, 2) of a slab; (3, 3) of a recording in space, (2, 3) of a
+    slab there, or (1, 3) of a wire; None where space is open"""
 
 
 def read_recording(

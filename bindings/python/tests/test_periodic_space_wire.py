@@ -16,6 +16,8 @@ from dynamic_delaunay import (
     PeriodicPopulation,
     PeriodicPopulation3D,
     errors,
+    read_recording,
+    track,
 )
 
 CELL = np.array([(1.0, 0.25, 0.125)])
@@ -97,3 +99,16 @@ def test_is_copied_and_stays_a_wire():
             dt.update(cloud(10), wrong)
     with pytest.raises(errors.PeriodicCellError, match=r"a wire has the vector \(0, 0, 0\): its vector must not be 0"):
         PeriodicDelaunay(cloud(10), np.zeros((1, 3)))
+
+def test_tracks_a_recording(tmp_path):
+    random = np.random.default_rng(4)
+    points = random.random((30, 3)) * (5, 2, 2)
+    path = tmp_path / "wire.dump"
+    with path.open("w") as file:
+        for step in range(4):
+            rows = "\n".join(f"{i + 1} {x} {y} {z}" for i, (x, y, z) in enumerate(points.tolist()))
+            file.write(f"ITEM: TIMESTEP\n{step}\nITEM: NUMBER OF ATOMS\n30\nITEM: BOX BOUNDS pp ff ff\n0 5\n0 2\n0 2\n"
+                       f"ITEM: ATOMS id x y z\n{rows}\n")
+            points = points + random.normal(0, 0.02, points.shape)
+    frames = list(track(read_recording(path)))
+    assert len(frames) == 4 and all(frame.triangulation.cell.tolist() == [[5, 0, 0]] for frame in frames)

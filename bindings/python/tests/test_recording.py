@@ -182,13 +182,15 @@ def test_refuses_what_cannot_be_in_space(tmp_path):
         with pytest.raises(errors.RecordingError, match=wrong):
             read(tmp_path, "table.csv", text)
         assert len(read(tmp_path, "table.csv", text, dimension=2)) == 2
-    for bounds, sides in (("pp ff ff", "first"), ("ff pp ff", "second"), ("ff ff pp", "third")):
+    xyz = '2\npbc="F F T"\nX 1 2 3\nX 1 2 4\n'
+    wrong = "in space, and has the frame 0, whose box is periodic along its third side, whose length is 0; dimension=2"
+    with pytest.raises(errors.RecordingError, match=wrong) as refused:
+        read(tmp_path, "motion.xyz", xyz)
+    assert isinstance(refused.value, ValueError) and refused.value.line == 0
+    for bounds in ("pp ff ff", "ff pp ff", "ff ff pp"):
         dump = dump_of(5, ["1 1 1 2 3", "2 1 1 2 4"], bounds=f"{bounds}\n0 10\n0 8\n0 8")
-        wrong = (f"dump: is in space, and has the frame 5, whose box is periodic only along its {sides} side: in space, "
-                 "it has to be so along all three sides, along two, or along none; dimension=2 takes x and y alone$")
-        with pytest.raises(errors.RecordingError, match=wrong) as refused:
-            read(tmp_path, "motion.dump", dump)
-        assert isinstance(refused.value, ValueError) and refused.value.line == 0
+        (wire,) = read(tmp_path, "motion.dump", dump)
+        assert wire.cell.tolist() == [[(10, 8, 8)[i] if name == "pp" else 0 for i, name in enumerate(bounds.split())]]
         (flat,) = read(tmp_path, "motion.dump", dump, dimension=2)
         assert (flat.cell is not None) == ("pp" in bounds[:5]) and flat.points.tolist() == [[1, 2], [1, 2]]
     for wrong, kind in ((4, errors.InputValueError), (0, errors.InputValueError), ("2", errors.InputTypeError),
