@@ -36,9 +36,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // replaces cells that are no images of each other, so that all images are flipped at once. For no
 // cell is its own neighbor, by a translation t: of its sites x, y and z at that facet, x - t, y - t
 // and z - t would be sites, too, so two of them again x, y or z; then x, y and z are in one line, t
-// apart, wherever they are, and no cell is ever made flat. In a slab, where translations leave a
-// point at infinity in the place of z where it is, x, y, x - t and y - t would be three finite
-// sites in one line.
+// apart, wherever they are, and no cell is ever made flat. In a slab or a wire, where translations
+// leave a point at infinity in the place of z where it is, x, y, x - t and y - t would be three
+// finite sites in one line.
 template <class State>
 class alignas(64) Lawson_flips_3 // so that threads that have one each share no line of the cache
 {
