@@ -82,6 +82,8 @@ std::vector<Family> periodic_families()
   const Cell unit(1, 1, 1);
   const Cell triclinic({1, 0.1, 0.2}, {0.5, -0.9, 0.1}, {1.3, 0.2, 1.1});
   const Cell long_vector({1, 0, 0}, {7.3, 0.9, 0.1}, {-0.4, 5.2, 1.1});
+  const Cell film({1, 0.1, 0.2}, {0.5, -0.9, 0.1}), flat({1, 0, 0}, {0, 1, 0});
+  const Cell wire(Cell::Coordinates{0.6, 0.2, -0.3}), duct(Cell::Coordinates{1, 0, 0});
   return {periodic("anywhere", 40, {triclinic}),
           periodic("hundreds", 500, {unit}),
           periodic("few", 9, {unit}),
@@ -101,7 +103,19 @@ std::vector<Family> periodic_families()
           periodic("coincident", 60, {triclinic, 1, 0, 2, 2}),
           periodic("coincident_on_grid", 60, {unit, 1, 0.125, 2, 2}),
           periodic("tiny", 40, {triclinic, 0x1p-160}),
-          periodic("huge", 40, {triclinic, 0x1p160})};
+          periodic("huge", 40, {triclinic, 0x1p160}),
+          periodic("slab", 40, {film}),
+          periodic("slab_hundreds", 300, {film}),
+          periodic("slab_few", 6, {film}),
+          periodic("slab_on_grid", 40, {flat, 1, 0.125}),
+          periodic("slab_deforming", 60, {film, 1, 0, 2, 12, true}),
+          periodic("slab_coincident", 60, {film, 1, 0, 2, 2}),
+          periodic("wire", 40, {wire}),
+          periodic("wire_hundreds", 300, {wire}),
+          periodic("wire_few", 6, {wire}),
+          periodic("wire_on_grid", 40, {duct, 1, 0.125}),
+          periodic("wire_deforming", 60, {wire, 1, 0, 2, 12, true}),
+          periodic("wire_coincident", 60, {wire, 1, 0, 2, 2})};
 }
 
 const std::vector<Family>& families()

@@ -609,6 +609,24 @@ std::size_t programs()
   return text == nullptr ? 24 : std::size_t(std::atoi(text));
 }
 
+// Found by `./dev bench space_robustness --family periodic_slab_few --trial 6493717390823460196`:
+// flips that gave cells other images of the same vertices were taken back, and a vertex kept a
+// corner of a cell that was not there any more.
+TEST(Random_programs_in_slabs, take_flips_back_that_exchange_images_of_a_vertex)
+{
+  constexpr std::uint64_t seed = 6493717390823460196u;
+  periodic_space_operations::Setting setting;
+  setting.cell = Cell({1, 0.1, 0.2}, {0.5, -0.9, 0.1});
+  Program program(std::mt19937_64(seed), setting);
+  program.insert(seed % 6);
+  for (int i = 0; i < 12; ++i) {
+    if (program.points().empty())
+      program.insert(1);
+    program.do_something();
+    program.expect_as_fresh();
+  }
+}
+
 TEST(Random_programs_in_slabs, are_exact_after_each_operation)
 {
   const std::size_t numbers[] = {0, 1, 3, 8, 20, 60, 150};

@@ -214,9 +214,10 @@ public:
       m_cells[mine.record[i].first].exchange(mine.record[i].second);
     for (const Cell_index c : mine.made)
       m_cells[c] = free_cell();
-    // not of cells that have got other neighbors only: their vertices may be of other parts
+    // not of cells that have got other neighbors only: their vertices may be of other parts. A cell
+    // that had other images of the same vertices is another one
     for (const auto& [c, replaced] : mine.record)
-      if (!is_free(c) && !(replaced.vertices == vertices(c)))
+      if (!is_free(c) && !(replaced.sites() == m_cells[c].sites()))
         for (int i = 0; i < 4; ++i)
           m_corners[vertices(c)[i]] = corner(c, i);
     mine.free.insert(mine.free.end(), mine.made.begin(), mine.made.end());
