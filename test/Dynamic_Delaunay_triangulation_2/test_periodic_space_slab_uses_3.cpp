@@ -4,6 +4,7 @@
 // What is asked about points in slabs, who is told of changes, and files.
 
 #include "periodic_space_oracle.h"
+#include "periodic_space_tested.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/conversions/convert_to_periodic_3_delaunay_triangulation_3.h>
@@ -330,34 +331,7 @@ TEST(Visitors_in_slabs, lead_from_former_edges_to_present_ones)
     }
 }
 
-struct Facets_visitor : CGAL::Delaunay_update_visitor_base_3
-{
-  using Facet = std::vector<int>; // ids and shifts
-
-  static Facet facet(const std::array<std::size_t, 3>& ids, const std::array<Shift, 3>& shifts)
-  {
-    Facet numbers;
-    for (std::size_t i = 0; i < 3; ++i) {
-      numbers.push_back(int(ids[i]));
-      numbers.insert(numbers.end(), shifts[i].begin(), shifts[i].end());
-    }
-    return numbers;
-  }
-  template <class Dynamic>
-  void after_facet_removal(const Dynamic&, const std::array<std::size_t, 3>& ids,
-                           const std::array<Shift, 3>& shifts)
-  {
-    EXPECT_EQ(facets.erase(facet(ids, shifts)), 1u);
-  }
-  template <class Dynamic>
-  void after_facet_creation(const Dynamic&, const std::array<std::size_t, 3>& ids,
-                            const std::array<Shift, 3>& shifts)
-  {
-    EXPECT_TRUE(facets.insert(facet(ids, shifts)).second);
-  }
-
-  std::set<Facet> facets;
-};
+using periodic_space_tested::Facets_visitor;
 
 TEST(Visitors_in_slabs, are_told_of_facets)
 {

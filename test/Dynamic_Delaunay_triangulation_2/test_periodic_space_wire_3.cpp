@@ -5,6 +5,7 @@
 
 #include "periodic_space_operations.h"
 #include "periodic_space_oracle.h"
+#include "periodic_space_tested.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
@@ -28,28 +29,7 @@
 
 namespace test_periodic_space_wire_3 {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_3<Kernel>;
-using Point = Dynamic::Point;
-using Points = std::vector<Point>;
-using Cell = CGAL::Periodic_cell_3;
-using Coordinates = Cell::Coordinates;
-using periodic_space_oracle::cells_of;
-using periodic_space_oracle::Shift;
-using periodic_space_oracle::Site;
-
-std::map<std::size_t, Point> by_id(const Points& points)
-{
-  std::map<std::size_t, Point> result;
-  for (std::size_t id = 0; id < points.size(); ++id)
-    result.emplace(id, points[id]);
-  return result;
-}
-
-void expect_exact(const Dynamic& dt, const Points& points, const Cell& cell)
-{
-  periodic_space_oracle::expect_exact(dt, by_id(points), cell);
-}
+using namespace periodic_space_tested;
 
 const Cell straight(Coordinates{1, 0, 0});
 const Cell upright(Coordinates{0, 0, -0.7});
