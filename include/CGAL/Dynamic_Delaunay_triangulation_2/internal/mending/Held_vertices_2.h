@@ -136,8 +136,8 @@ public:
 
   // Moves on those whose stars are inside of the part; then release() moves the others, and counts
   // these. Those that cannot move wait for the next round: to try all of them again at once, one
-  // after the other, took a tenth of the time of a frame of 1,000,000 points with steps of 0.1
-  // spacings. Threads may do so at the same time, each in another part.
+  // after the other, took 4 percent of the time of a frame of 1,000,000 points with steps of 0.1
+  // spacings, and 6 on a torus. Threads may do so at the same time, each in another part.
   template <class Flip>
   void release_in_part(const Topology_parts_2& topology, std::size_t part, const Flip& flip)
   {
