@@ -8,9 +8,9 @@
 
 #include <CGAL/Default.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/classifiers/Circumcircle_classifier_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/Dynamic_triangulation_base.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/is_listening.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Triangulation_access.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
@@ -32,13 +32,9 @@
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_2_COMPILED
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #endif
-#include <CGAL/iterator.h>
-
-#include <boost/property_map/property_map.hpp>
 
 #include <cstddef>
 #include <istream>
-#include <iterator>
 #include <memory>
 #include <ostream>
 #include <string_view>
@@ -142,7 +138,7 @@ struct Chosen_types_2 : Options_check_2<Options...>
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 The members that triangulations of moving points share in the plane and in periodic space: motion,
-insertion and removal of points, ids, certificates, checkpoints and settings. It is the base class
+insertion and removal of points, certificates and settings. It is the base class
 of `Dynamic_Delaunay_triangulation_2` and `Dynamic_periodic_Delaunay_triangulation_2`, which explain
 ids and certificates.
 
@@ -150,31 +146,35 @@ ids and certificates.
 */
 template <class Derived>
 class Dynamic_triangulation_base_2
+  : public Dynamic_triangulation_base<Derived,
+                                      typename Dynamic_Delaunay_triangulations_2::internal::
+                                          Triangulation_types_2<Derived>::State::Point,
+                                      Update_report_2>
 {
-  friend Derived;
-  friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access;
   using Types = Dynamic_Delaunay_triangulations_2::internal::Triangulation_types_2<Derived>;
+  using Base = Dynamic_triangulation_base<Derived, typename Types::State::Point, Update_report_2>;
+  friend Derived;
+  friend Base;
+  friend Dynamic_Delaunay_triangulations_2::internal::Triangulation_access;
   using State = typename Types::State;
   using Checkpoint = typename Types::Checkpoint;
   using Update = Dynamic_Delaunay_triangulations_2::internal::Update_2<State>;
   using Change = Dynamic_Delaunay_triangulations_2::internal::Change_2<typename State::Point>;
   using Population_input = Dynamic_Delaunay_triangulations_2::internal::Population_input_2<State>;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
-  using Identity_map = boost::typed_identity_property_map<typename State::Point>;
+  using typename Base::Identity_map;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
   using Halfedge_index = Dynamic_Delaunay_triangulations_2::Halfedge_index;
   using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
   using Face_index = Dynamic_Delaunay_triangulations_2::Face_index;
   using Point_id = Dynamic_Delaunay_triangulations_2::Point_id;
-  template <class Range>
-  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
   template <class Map>
-  using If_map = Dynamic_Delaunay_triangulations_2::internal::If_map<Map>;
+  using If_map = typename Base::template If_map<Map>;
   template <class Iterator>
-  using First_of = Dynamic_Delaunay_triangulations_2::internal::First_of<Iterator>;
+  using First_of = typename Base::template First_of<Iterator>;
   template <class Iterator>
-  using Second_of = Dynamic_Delaunay_triangulations_2::internal::Second_of<Iterator>;
+  using Second_of = typename Base::template Second_of<Iterator>;
 
 public:
   /// \name Types
@@ -182,10 +182,8 @@ public:
 
   /// the traits, or kernel.
   using Geom_traits = typename Types::Geom_traits;
-  /// a point.
-  using Point = typename State::Point;
-  /// the type of ids and counts.
-  using size_type = std::size_t;
+  using typename Base::Point;
+  using typename Base::size_type;
   /// the classifier.
   using Delaunay_classifier = typename Types::Classifier;
   /// the repair.
@@ -199,8 +197,6 @@ public:
   /// by one.
   using Settings = Dynamic_triangulation_settings_2<Delaunay_classifier, Delaunay_repair,
                                                     Delaunay_update_policy, Update_visitor>;
-  /// what a call returns that changes points.
-  using Update_report = Update_report_2;
   /// whether work is shared among threads.
   using Concurrency_tag = typename Types::Concurrency_tag;
   /// the read-only view that classifiers get.
@@ -258,6 +254,9 @@ public:
   /// \name Motion
   /// @{
 
+  using Base::move;
+  using Base::update;
+
   /// moves point i to the i-th position of the range, for all points, and repairs the
   /// triangulation. The range has one position for each id; positions for ids of removed points are
   /// ignored. In periodic space the cell stays the same, and a point that moves by more than half
@@ -291,14 +290,6 @@ public:
     return run_frame();
   }
 
-  /// takes the positions from a range with `begin()` and `end()`.
-  template <class Range, class PointMap = Identity_map, class = If_range<Range>,
-            class = If_map<PointMap>>
-  Update_report_2 update(const Range& range, PointMap point_map = PointMap())
-  {
-    return update(std::begin(range), std::end(range), point_map);
-  }
-
   /// moves some points, and repairs what that breaks. All other points keep their positions. The
   /// repair uses exact predicates, whatever the classifier is; the policy is not asked.
   ///
@@ -329,21 +320,6 @@ public:
     return run(change);
   }
 
-  /// moves the points of a range with `begin()` and `end()`.
-  template <class Range, class IdMap = First_of<If_range<Range>>,
-            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
-  Update_report_2 move(const Range& range, IdMap id_map = IdMap(), PointMap point_map = PointMap())
-  {
-    return move(std::begin(range), std::end(range), id_map, point_map);
-  }
-
-  /// moves one point.
-  Update_report_2 move(size_type id, const Point& p)
-  {
-    const std::pair<size_type, Point> mover(id, p);
-    return move(&mover, &mover + 1);
-  }
-
   /// @}
   /// \name Population
   /// Inserts and removes points, and repairs what that breaks by exact predicates, whatever the
@@ -351,36 +327,22 @@ public:
   /// not at all, and the triangulation is not certified; `mend()` certifies it again.
   /// @{
 
-  /// adds a point, and returns its id: the smallest free one. If it coincides with another point,
-  /// both share a vertex. Cost: O(n<sup>1/3</sup>) expected for evenly spread points to find its
-  /// place, plus the repair of what it breaks, plus a walk around the hull if it changes; a rebuild
-  /// while the points do not span the plane.
+  using Base::insert;
+  using Base::remove;
+
+  /// inserts the points that `point_map` reads from the values of the range. Their ids are written
+  /// to `ids` first: the smallest free ones; if none is free, the next ones, in the order of the
+  /// range. A point that coincides with another one shares its vertex. Rebuilds if there are more
+  /// than about half as many points as vertices, of more than 32,768 a quarter, in periodic space
+  /// more, and while the points do not span the plane.
   ///
+  /// Cost of each: O(n<sup>1/3</sup>) expected for evenly spread points to find its place, plus the
+  /// repair of what it breaks, plus a walk around the hull if it changes.
   /// \throws Non_finite_coordinate_error_2, Coordinate_range_error_2 or Periodic_range_error_2 as
   /// `update()`, with the id that the point would get; Point_limit_error_2 if there would be more
-  /// points than 32 bits allow; nothing changes.
-  /// \post `is_certified()` if it was, if the classifier is exact, or in periodic space.
-  size_type insert(const Point& p)
-  {
-    size_type id = 0;
-    insert(&p, &p + 1, &id);
-    return id;
-  }
-
-  /// adds the points of the range. Their ids are written to `ids` first, if it is given; if no id
-  /// is free, they are the next ones, in the order of the range. Rebuilds if there are more than
-  /// about half as many as vertices, of more than 32,768 a quarter, in periodic space more. Throws
-  /// what `insert(p)` throws; then nothing changes, and no id is written. \post That of
-  /// `insert(p)`, if the range is not empty. With a heuristic classifier, an empty one changes
-  /// nothing.
-  template <class InputIterator, class OutputIterator = Emptyset_iterator>
-  Update_report_2 insert(InputIterator first, InputIterator beyond,
-                         OutputIterator ids = OutputIterator())
-  {
-    return insert(first, beyond, Identity_map(), ids);
-  }
-
-  /// reads the points from the values of the range by `point_map`.
+  /// points than 32 bits allow. Then nothing changes, and no id is written.
+  /// \post `is_certified()` if it was, or if the classifier is exact; in periodic space, if the
+  /// range is not empty. With a heuristic classifier, an empty one changes nothing.
   template <class InputIterator, class PointMap, class OutputIterator>
   Update_report_2 insert(InputIterator first, InputIterator beyond, PointMap point_map,
                          OutputIterator ids)
@@ -394,34 +356,17 @@ public:
     return run(change);
   }
 
-  /// adds the points of a range with `begin()` and `end()`.
-  template <class Range, class OutputIterator = Emptyset_iterator, class = If_range<Range>>
-  Update_report_2 insert(const Range& range, OutputIterator ids = OutputIterator())
-  {
-    return insert(std::begin(range), std::end(range), Identity_map(), ids);
-  }
-
-  /// reads the points by `point_map` from the values of a range with `begin()` and `end()`.
-  template <class Range, class PointMap, class OutputIterator, class = If_range<Range>>
-  Update_report_2 insert(const Range& range, PointMap point_map, OutputIterator ids)
-  {
-    return insert(std::begin(range), std::end(range), point_map, ids);
-  }
-
-  /// removes a point; its id is free from then on. Cost: proportional to the number of its
-  /// neighbors and to what that breaks, plus a walk around the hull if it changes; if points
-  /// coincide, also proportional to the number of those at its vertex; a rebuild if the points do
-  /// not span the plane before or after.
+  /// removes the points with these ids, which are free from then on. Rebuilds if these are more
+  /// than about half of the vertices, of more than 32,768 a quarter, in periodic space more, and if
+  /// the points do not span the plane before or after.
   ///
-  /// \throws Unknown_id_error_2 if no point has this id; nothing changes.
-  /// \post `is_certified()` if it was, if the classifier is exact, or in periodic space.
-  Update_report_2 remove(size_type id) { return remove(&id, &id + 1); }
-
-  /// removes the points with these ids. Rebuilds if these are more than about half of the vertices,
-  /// of more than 32,768 a quarter, in periodic space more. \post That of `remove(id)`, if the
-  /// range is not empty. \tparam InputIterator its values are integers. \throws Unknown_id_error_2
-  /// if an id belongs to no point; nothing changes. \throws Repeated_id_error_2 if an id is given
-  /// more than once; nothing changes.
+  /// Cost of each: proportional to the number of its neighbors and to what its removal breaks, plus
+  /// a walk around the hull if it changes; if points coincide, also proportional to the number of
+  /// those at its vertex.
+  /// \tparam InputIterator its values are integers.
+  /// \throws Unknown_id_error_2 if an id belongs to no point; nothing changes.
+  /// \throws Repeated_id_error_2 if an id is given more than once; nothing changes.
+  /// \post That of the insertion of a range.
   template <class InputIterator>
   Update_report_2 remove(InputIterator first, InputIterator beyond)
   {
@@ -429,13 +374,6 @@ public:
     Change& change = begin_change();
     Population_input::read_ids(first, beyond, m_core->state, change.gone);
     return run(change);
-  }
-
-  /// removes the points whose ids are in a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Update_report_2 remove(const Range& ids)
-  {
-    return remove(std::begin(ids), std::end(ids));
   }
 
   /// @}
@@ -486,22 +424,8 @@ public:
   /// \name Points and Ids
   /// @{
 
-  /// the number of points, coincident ones included.
-  size_type number_of_points() const { return m_core->state.ids().number_of_points(); }
-  /// one more than the largest id ever in use. It never decreases.
-  size_type number_of_ids() const { return m_core->state.ids().number_of_ids(); }
-  /// whether a point has this id.
-  bool has_id(size_type id) const { return m_core->state.ids().is_taken(id); }
   /// the number of finite vertices: less than the number of points if points coincide.
   size_type number_of_vertices() const { return m_core->state.number_of_vertices(); }
-
-  /// the id of the representative of this point: of all points that coincide with it, the one that
-  /// was there first.
-  /// \throws Unknown_id_error_2 if no point has this id.
-  size_type representative(size_type id) const
-  {
-    return m_core->state.ids().representative(vertex_of(id));
-  }
 
   /// calls `f(j)` for each neighbor j of the point with this id, or of its representative,
   /// counterclockwise. In periodic space it calls `f(j, shift)`, and meets an edge from a point to
@@ -512,7 +436,7 @@ public:
   void for_each_neighbor(size_type id, const Function& f) const
   {
     const State& state = m_core->state;
-    state.for_each_finite_neighbor(vertex_of(id), [&](Vertex_index w, const auto&... shift) {
+    state.for_each_finite_neighbor(this->vertex_of(id), [&](Vertex_index w, const auto&... shift) {
       f(size_type(state.ids().representative(w)), shift...);
     });
   }
@@ -546,58 +470,6 @@ public:
   const std::vector<Vertex_index>& padded_vertices() const { return tools().context.padded; }
   /// the Border set of the last update that spliced around the Classified set.
   const std::vector<Vertex_index>& border_vertices() const { return tools().context.border; }
-
-  /// @}
-  /// \name Checkpoints
-  /// Writes and reads the triangulation as a file, \ref DynamicDelaunayTriangulation2Checkpoints. A
-  /// run continues from a checkpoint as if it had not been interrupted. `Point` has to be the
-  /// `Point_2` of a kernel. Coordinates have to be doubles, or fractions of integers as those of
-  /// `Exact_predicates_exact_constructions_kernel`. Other types do not compile, since they may hold
-  /// more than a checkpoint would keep.
-  /// @{
-
-  /// writes the triangulation, the ids of its points, the cell in periodic space, all numbers in
-  /// `frame()`, and whether it is certified. Not written are the state of the classifier, the
-  /// repair and the policy, and the user's data in vertices and faces. Cost: linear, about 150
-  /// bytes a point.
-  /// \throws Checkpoint_error_2 if the stream fails, after which the written part is unusable;
-  /// also, before anything is written, if an exception ended the last update before each point had
-  /// its vertex.
-  void write_checkpoint(std::ostream& out) const
-  {
-    write_file(out, Types::checkpoint_subject, [](auto&) {});
-  }
-
-  /// replaces everything but the settings. In periodic space the cell is replaced, too, and may
-  /// become a slab or cease to be one. The user's data are as in new vertices and faces; property
-  /// maps stay valid. The classifier is told that everything is new.
-  ///
-  /// The file is validated: its faces must be a triangulated sphere with all points, in periodic
-  /// space a torus that covers the cell once, each number and id must occur exactly once, and a
-  /// triangulation that is marked as certified must be Delaunay by exact predicates. Reads exactly
-  /// what was written, and leaves the rest of the stream unread. Cost: linear; memory in proportion
-  /// to what is read, in addition to what this triangulation uses.
-  /// \throws Checkpoint_error_2 if the file is refused. Whatever is thrown, nothing changes, unless
-  /// the visitor throws it while it is told what changes.
-  void read_checkpoint(std::istream& in)
-  {
-    read_file(
-        in, Types::checkpoint_subject, [](auto&, const auto&) {}, [] {});
-  }
-
-  /// writes a checkpoint, whatever mode CGAL's `set_mode()` has given to the stream. Where
-  /// `write_checkpoint()` would throw `Checkpoint_error_2`, the stream fails (`failbit`).
-  friend std::ostream& operator<<(std::ostream& out, const Derived& dt)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::write_to_stream(out, dt);
-  }
-
-  /// skips white space, then reads a checkpoint. Where `read_checkpoint()` would throw
-  /// `Checkpoint_error_2`, the stream fails (`failbit`), and the triangulation does not change.
-  friend std::istream& operator>>(std::istream& in, Derived& dt)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::read_from_stream(in, dt);
-  }
 
   /// @}
 
@@ -659,12 +531,8 @@ private:
     Dynamic_Delaunay_triangulations_2::internal::check_limit(number);
   }
 
-  Vertex_index vertex_of(size_type id) const
-  {
-    if (!has_id(id))
-      throw Unknown_id_error_2(id, number_of_ids());
-    return m_core->state.ids().vertex(Point_id(id));
-  }
+  const auto& point_ids() const { return m_core->state.ids(); }
+  static std::string_view checkpoint_subject() { return Types::checkpoint_subject; }
 
   // Runs a whole frame of `Dynamic_population_2`, in periodic space perhaps with another cell.
   // There is a position for every id, also for those that are removed; `gone` has the ids to
@@ -727,7 +595,7 @@ private:
     inform_classifier(classifier, Frame(state));
     listen(); // what is to be told takes memory
     m_core->update.tools().context.builder.reserve_for_exchange(state);
-    m_settings.visitor.before_update(derived());
+    m_settings.visitor.before_update(this->derived());
     m_settings.classifier = std::move(classifier); // from here on only the visitor may throw
     m_core->update.exchange(state, reader.is_certified(), reader.memory());
     exchange_more();
@@ -751,7 +619,7 @@ private:
   // Calls `before_update()`; if that throws, nothing has changed yet.
   void start_visit()
   {
-    m_settings.visitor.before_update(derived());
+    m_settings.visitor.before_update(this->derived());
     listen();
   }
   // From now on, changes are told to the visitor, if it listens.
@@ -759,7 +627,7 @@ private:
   {
     using Dynamic_Delaunay_triangulations_2::internal::is_listening;
     m_core->update.tools().context.editor.start_visit(
-        m_settings.visitor, &derived(),
+        m_settings.visitor, &this->derived(),
         is_listening<Delaunay_update_visitor_base_2>(m_settings.visitor));
   }
 
@@ -768,7 +636,7 @@ private:
   void finish_visit(const Update_report_2& report)
   {
     m_core->update.tools().context.editor.finish_visit();
-    m_settings.visitor.after_update(derived(), report);
+    m_settings.visitor.after_update(this->derived(), report);
   }
 
   Update_report_2 run_phases(Change& change)
@@ -785,8 +653,6 @@ private:
   {
     return {m_settings.classifier, m_settings.repair, m_settings.policy};
   }
-
-  const Derived& derived() const { return static_cast<const Derived&>(*this); }
 
   const auto& tools() const { return std::as_const(m_core->update).tools(); }
 

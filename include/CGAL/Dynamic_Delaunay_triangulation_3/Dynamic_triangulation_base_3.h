@@ -6,9 +6,9 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/Dynamic_triangulation_base.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/is_listening.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Triangulation_access.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
@@ -26,16 +26,11 @@
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_COMPILED
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #endif
-#include <CGAL/iterator.h>
 #include <CGAL/tags.h>
 
-#include <boost/property_map/property_map.hpp>
-
 #include <cstddef>
-#include <initializer_list>
 #include <iostream>
 #include <istream>
-#include <iterator>
 #include <memory>
 #include <ostream>
 #include <string_view>
@@ -97,8 +92,8 @@ struct Chosen_types_3 : Options_check_3<Options...>
 \ingroup PkgDynamicDelaunayTriangulation2Ref
 
 What `Dynamic_Delaunay_triangulation_3` and `Dynamic_periodic_Delaunay_triangulation_3` have in
-common: points that move, are inserted and removed, their ids, proofs, policies, visitors and
-checkpoints. Programs use it as a part of these classes alone.
+common: points that move, are inserted and removed, proofs, policies and visitors. Programs use it
+as a part of these classes alone.
 
 \tparam Dynamic the class of triangulations.
 \tparam Space an internal type.
@@ -106,24 +101,25 @@ checkpoints. Programs use it as a part of these classes alone.
 */
 template <class Dynamic, class Space, class... Options>
 class Dynamic_triangulation_base_3
+  : public Dynamic_triangulation_base<Dynamic, typename Space::State::Point, Update_report_3>
 {
+  using Base = Dynamic_triangulation_base<Dynamic, typename Space::State::Point, Update_report_3>;
+  friend Base;
   friend Dynamic_Delaunay_triangulations_3::internal::Triangulation_access;
   using Chosen = Dynamic_Delaunay_triangulations_3::internal::Chosen_types_3<Options...>;
   static_assert(Chosen::is_right);
   using Visitor = typename Chosen::Visitor;
   using Policy = typename Chosen::Policy;
-  using Identity_map = boost::typed_identity_property_map<typename Space::State::Point>;
-  template <class Range>
-  using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
   template <class Map>
-  using If_map = Dynamic_Delaunay_triangulations_2::internal::If_map<Map>;
+  using If_map = typename Base::template If_map<Map>;
   template <class Iterator>
-  using First_of = Dynamic_Delaunay_triangulations_2::internal::First_of<Iterator>;
+  using First_of = typename Base::template First_of<Iterator>;
   template <class Iterator>
-  using Second_of = Dynamic_Delaunay_triangulations_2::internal::Second_of<Iterator>;
+  using Second_of = typename Base::template Second_of<Iterator>;
 
 protected:
   /// \cond
+  using typename Base::Identity_map;
   using State = typename Space::State;
   using Update = Dynamic_Delaunay_triangulations_3::internal::Update_3<Space>;
   using Chosen_rebuilds = typename Update::Chosen_rebuilds;
@@ -142,12 +138,8 @@ public:
 
   /// the traits, or kernel.
   using Geom_traits = typename State::Traits;
-  /// a point.
-  using Point = typename State::Point;
-  /// the type of ids and counts.
-  using size_type = std::size_t;
-  /// what a call returns that changes points.
-  using Update_report = Update_report_3;
+  using typename Base::Point;
+  using typename Base::size_type;
   /// whether work is shared among threads.
   using Concurrency_tag = typename Chosen::Concurrency_tag;
   /// the policy and the visitor, in one object. A policy converts to it.
@@ -156,6 +148,9 @@ public:
   /// @}
   /// \name Motion
   /// @{
+
+  using Base::move;
+  using Base::update;
 
   /// moves point i to the i-th position of the range, for all points, and repairs the
   /// triangulation. The range has one position for each id; positions for ids of removed points are
@@ -177,14 +172,6 @@ public:
                          const PointMap& point_map = PointMap())
   {
     return update_frame(first, beyond, point_map);
-  }
-
-  /// takes the positions from a range with `begin()` and `end()`.
-  template <class Range, class PointMap = Identity_map, class = If_range<Range>,
-            class = If_map<PointMap>>
-  Update_report_3 update(const Range& range, const PointMap& point_map = PointMap())
-  {
-    return update(std::begin(range), std::end(range), point_map);
   }
 
   /// moves some points, and repairs what that breaks; all others stay. Cost of each: proportional
@@ -209,7 +196,7 @@ public:
     for (; first != beyond; ++first) {
       auto&& value = *first;
       const auto id = size_type(get(id_map, value));
-      check_id(id);
+      this->check_id(id);
       change.moved.emplace_back(id);
       change.moved_points.push_back(get(point_map, value));
       m_core->state.check(change.moved_points.back(), id);
@@ -218,48 +205,18 @@ public:
     return run(change);
   }
 
-  /// moves the points of a range with `begin()` and `end()`.
-  template <class Range, class IdMap = First_of<If_range<Range>>,
-            class PointMap = Second_of<If_range<Range>>, class = If_range<Range>>
-  Update_report_3 move(const Range& range, const IdMap& id_map = IdMap(),
-                       const PointMap& point_map = PointMap())
-  {
-    return move(std::begin(range), std::end(range), id_map, point_map);
-  }
-
-  /// moves one point.
-  Update_report_3 move(size_type id, const Point& point)
-  {
-    const std::pair<size_type, Point> mover(id, point);
-    return move(&mover, &mover + 1);
-  }
-
   /// @}
   /// \name Insertion and Removal
   /// @{
 
-  /// inserts a point. \return its id.
-  /// \throws Non_finite_coordinate_error_3 if a coordinate is NaN or infinite.
-  /// \throws Coordinate_range_error_3, in periodic space Periodic_range_error_3, as `update()`.
-  size_type insert(const Point& point)
-  {
-    size_type id = 0;
-    insert(&point, &point + 1, &id);
-    return id;
-  }
+  using Base::insert;
+  using Base::remove;
 
-  /// inserts the points of a range. Their ids are written to `ids` first, in the same order.
+  /// inserts the points that `point_map` reads from the values of the range. Their ids are written
+  /// to `ids` first, in the same order.
   /// \throws Non_finite_coordinate_error_3, Coordinate_range_error_3, Periodic_range_error_3 as
-  ///   above; the error's id is the one that the point would get. Then nothing has changed.
+  ///   `update()`; the error's id is the one that the point would get. Then nothing has changed.
   /// \throws Point_limit_error_2 if there would be more points than 32 bits allow.
-  template <class InputIterator, class OutputIterator = Emptyset_iterator>
-  Update_report_3 insert(InputIterator first, InputIterator beyond,
-                         OutputIterator ids = OutputIterator())
-  {
-    return insert(first, beyond, Identity_map(), ids);
-  }
-
-  /// reads the points from the values of the range by `point_map`.
   template <class InputIterator, class PointMap, class OutputIterator>
   Update_report_3 insert(InputIterator first, InputIterator beyond, const PointMap& point_map,
                          OutputIterator ids)
@@ -272,24 +229,6 @@ public:
     return run(change);
   }
 
-  /// inserts the points of a range with `begin()` and `end()`.
-  template <class Range, class OutputIterator = Emptyset_iterator, class = If_range<Range>>
-  Update_report_3 insert(const Range& range, OutputIterator ids = OutputIterator())
-  {
-    return insert(std::begin(range), std::end(range), Identity_map(), ids);
-  }
-
-  /// reads the points by `point_map` from the values of a range with `begin()` and `end()`.
-  template <class Range, class PointMap, class OutputIterator, class = If_range<Range>>
-  Update_report_3 insert(const Range& range, const PointMap& point_map, OutputIterator ids)
-  {
-    return insert(std::begin(range), std::end(range), point_map, ids);
-  }
-
-  /// removes a point; its id becomes free.
-  /// \throws Unknown_id_error_2 if no point has this id.
-  Update_report_3 remove(size_type id) { return remove(&id, &id + 1); }
-
   /// removes the points with the ids of a range. Cost: about ten times that of an insertion each,
   /// but never much more than to triangulate the remaining points anew.
   /// \throws Unknown_id_error_2 if one of them has no point.
@@ -300,24 +239,12 @@ public:
     const Floating_point floating_point;
     Change change;
     for (; first != beyond; ++first) {
-      check_id(size_type(*first));
+      this->check_id(size_type(*first));
       change.gone.emplace_back(*first);
     }
     Dynamic_Delaunay_triangulations_2::internal::check_distinct(change.gone);
     return run(change);
   }
-  /// removes the points whose ids are in a range with `begin()` and `end()`.
-  template <class Range, class = If_range<Range>>
-  Update_report_3 remove(const Range& ids)
-  {
-    return remove(std::begin(ids), std::end(ids));
-  }
-  /// removes the points with these ids.
-  Update_report_3 remove(std::initializer_list<size_type> ids)
-  {
-    return remove(ids.begin(), ids.end());
-  }
-
   /// @}
   /// \name Certainty
   /// @{
@@ -365,30 +292,15 @@ public:
   /// \name Points and Ids
   /// @{
 
-  /// the number of points, coincident ones included.
-  size_type number_of_points() const { return ids().number_of_points(); }
-  /// one more than the largest id ever in use. It never decreases.
-  size_type number_of_ids() const { return ids().number_of_ids(); }
-  /// whether a point has this id.
-  bool has_id(size_type id) const { return ids().is_taken(id); }
   /// the number of vertices: less than the number of points if points coincide.
   size_type number_of_vertices() const { return ids().number_of_representatives(); }
   /// the position of a point, as it was given last.
   /// \throws Unknown_id_error_2 if no point has this id.
   Point point(size_type id) const
   {
-    check_id(id);
-    return ids().is_representative(Point_id(id)) ? Point(state().point(ids().vertex(Point_id(id))))
+    const Vertex_index v = this->vertex_of(id);
+    return ids().is_representative(Point_id(id)) ? Point(state().point(v))
                                                  : ids().covered_point(Point_id(id));
-  }
-
-  /// the id of the representative of this point: of all points that coincide with it, the one that
-  /// was there first.
-  /// \throws Unknown_id_error_2 if no point has this id.
-  size_type representative(size_type id) const
-  {
-    check_id(id);
-    return representative_of(ids().vertex(Point_id(id)));
   }
 
   /// @}
@@ -401,53 +313,6 @@ public:
   const Visitor& visitor() const { return m_core->visitor; }
   /// the visitor, in order to read and clear what it has recorded.
   Visitor& visitor() { return m_core->visitor; }
-
-  /// @}
-  /// \name Checkpoints
-  /// Writes and reads the triangulation as a file, \ref DynamicDelaunayTriangulation2Checkpoints. A
-  /// run continues from a checkpoint as if it had not been interrupted: equal calls have equal
-  /// results. Coordinates have to be doubles, or fractions of integers as those of
-  /// `Exact_predicates_exact_constructions_kernel`. Other types do not compile.
-  /// @{
-
-  /// writes the points with their ids, and the cells. Cost: linear, some 250 bytes a point.
-  /// \throws Checkpoint_error_2 if the stream fails, after which the written part is unusable;
-  /// also, before anything is written, if the triangulation is not certified, because memory did
-  /// not suffice for the last call.
-  void write_checkpoint(std::ostream& out) const
-  {
-    write_file(out, Space::name, [](auto&) {});
-  }
-
-  /// replaces everything but the policy and the visitor by what a file has.
-  ///
-  /// The file is validated: each number and id has to occur exactly once, cells have to fit
-  /// together, and exact predicates have to prove that they are a Delaunay triangulation of the
-  /// points. Reads exactly what was written, and leaves the rest of the stream unread. Cost: that
-  /// of sorting the facets; memory in proportion to what is read, in addition to what this
-  /// triangulation uses.
-  /// \throws Checkpoint_error_2 if the file is refused. Whatever is thrown, nothing changes, unless
-  /// the visitor throws it while it is told what has changed.
-  /// \post `is_certified()`
-  void read_checkpoint(std::istream& in)
-  {
-    read_file(
-        in, Space::name, [](auto&, const auto&) {}, [] {});
-  }
-
-  /// writes a checkpoint, whatever mode CGAL's `set_mode()` has given to the stream. Where
-  /// `write_checkpoint()` would throw `Checkpoint_error_2`, the stream fails (`failbit`).
-  friend std::ostream& operator<<(std::ostream& out, const Dynamic& dt)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::write_to_stream(out, dt);
-  }
-
-  /// skips white space, then reads a checkpoint. Where `read_checkpoint()` would throw
-  /// `Checkpoint_error_2`, the stream fails (`failbit`), and the triangulation does not change.
-  friend std::istream& operator>>(std::istream& in, Dynamic& dt)
-  {
-    return Dynamic_Delaunay_triangulations_2::internal::read_from_stream(in, dt);
-  }
 
   /// @}
 
@@ -500,11 +365,6 @@ protected:
   const State& state() const { return m_core->state; }
   const typename State::Ids& ids() const { return m_core->state.ids; }
   Index cells() const { return state().spans_space ? state().arrays.number_of_cells() : 0; }
-  void check_id(size_type id) const
-  {
-    if (!has_id(id))
-      throw Unknown_id_error_2(id, number_of_ids());
-  }
   size_type representative_of(Vertex_index v) const { return ids().representative(v); }
   /// \endcond
 
@@ -532,7 +392,8 @@ private:
     std::conditional_t<is_watched, Changes, Nothing> changes;
   };
 
-  const Dynamic& dynamic() const { return static_cast<const Dynamic&>(*this); }
+  const typename State::Ids& point_ids() const { return ids(); }
+  static std::string_view checkpoint_subject() { return Space::name; }
   Settings settings() const { return Settings(m_core->policy, m_core->visitor); }
 
   Update_report_3 run(const Change& change)
@@ -555,7 +416,7 @@ private:
     if constexpr (is_watched) {
       if (is_listening())
         m_core->changes.begin(m_core->state);
-      m_core->visitor.before_update(dynamic());
+      m_core->visitor.before_update(this->derived());
     }
   }
   // Compares, then tells the visitor.
@@ -566,7 +427,7 @@ private:
         m_core->changes.end(m_core->state);
         tell_changes();
       }
-      m_core->visitor.after_update(dynamic(), report);
+      m_core->visitor.after_update(this->derived(), report);
     }
   }
   void tell_changes()
@@ -574,20 +435,23 @@ private:
     using Names = typename Changes::Names;
     Visitor& visitor = m_core->visitor;
     const auto &removed = m_core->changes.removed(), &created = m_core->changes.created();
-    Names::tell(m_core->state, visitor, dynamic());
+    Names::tell(m_core->state, visitor, this->derived());
     m_core->changes.close(m_core->state);
     for (const auto& facet : removed.facets)
-      Names::apply(facet,
-                   [&](const auto&... args) { visitor.after_facet_removal(dynamic(), args...); });
+      Names::apply(facet, [&](const auto&... args) {
+        visitor.after_facet_removal(this->derived(), args...);
+      });
     for (const auto& edge : removed.edges)
-      Names::apply(edge,
-                   [&](const auto&... args) { visitor.after_edge_removal(dynamic(), args...); });
+      Names::apply(
+          edge, [&](const auto&... args) { visitor.after_edge_removal(this->derived(), args...); });
     for (const auto& edge : created.edges)
-      Names::apply(edge,
-                   [&](const auto&... args) { visitor.after_edge_creation(dynamic(), args...); });
+      Names::apply(edge, [&](const auto&... args) {
+        visitor.after_edge_creation(this->derived(), args...);
+      });
     for (const auto& facet : created.facets)
-      Names::apply(facet,
-                   [&](const auto&... args) { visitor.after_facet_creation(dynamic(), args...); });
+      Names::apply(facet, [&](const auto&... args) {
+        visitor.after_facet_creation(this->derived(), args...);
+      });
   }
   bool is_listening() const
   {
@@ -623,7 +487,7 @@ private:
     change.positions = &positions;
     for (const size_type id : gone)
       change.gone.emplace_back(id);
-    Input::check_number(number_of_points() - change.gone.size() + coming.size());
+    Input::check_number(this->number_of_points() - change.gone.size() + coming.size());
     change.coming = ids().next_ids(coming.size(), change.gone);
     change.coming_points = coming;
     std::vector<size_type> next_ids(change.coming.begin(), change.coming.end());
@@ -662,7 +526,7 @@ private:
     read_more(file, core->state.ids);
     file.finish();
     if constexpr (is_watched) {
-      core->visitor.before_update(dynamic());
+      core->visitor.before_update(this->derived());
       if (is_listening())
         core->changes.compare(m_core->state, m_core->changes, core->state);
     }
@@ -673,7 +537,7 @@ private:
       report.certified = true;
       if (is_listening())
         tell_changes();
-      m_core->visitor.after_update(dynamic(), report);
+      m_core->visitor.after_update(this->derived(), report);
     }
   }
 
