@@ -237,6 +237,16 @@ TEST(Ranges, of_any_kind_are_read_by_an_insertion)
   });
 }
 
+TEST(Ranges, of_ids_in_braces_are_read_by_a_removal)
+{
+  const Points points = Cloud<Epick>(4).uniform(10);
+  Dynamic dt(points);
+  EXPECT_EQ(dt.remove({3, 7}).removed, 2u);
+  EXPECT_FALSE(dt.has_id(3) || dt.has_id(7));
+  EXPECT_EQ(dt.number_of_points(), 8u);
+  EXPECT_TRUE(dt.is_certified() && dt.is_valid(true));
+}
+
 TEST(Ranges, of_any_kind_are_read_in_periodic_space_also_with_another_cell)
 {
   using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_2<Epick>;

@@ -8,8 +8,8 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_coordinate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Cell_links_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_reader_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Certificate_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Filtered_certificate_3.h>
@@ -31,16 +31,22 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // discarded if this throws. Checks everything: each number, that cells fit together, and that they
 // are Delaunay.
 template <class State>
-class Checkpoint_reader_3
+class Checkpoint_reader_3 : private Checkpoint_reader_base_3<Checkpoint_reader_3<State>, State>
 {
-  using Point = typename State::Point;
+  using Base = Checkpoint_reader_base_3<Checkpoint_reader_3, State>;
+  friend Base;
+  using typename Base::Checkpoint_input_2;
+  using typename Base::Place;
+  using typename Base::Point;
   using FT = std::decay_t<decltype(std::declval<const Point&>().x())>;
-  using Checkpoint_input_2 = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2;
+  using Base::m_file;
+  using Base::m_places;
+  using Base::m_points;
+  using Base::m_state;
 
 public:
   Checkpoint_reader_3(State& state, Checkpoint_input_2& file)
-    : m_state(state)
-    , m_file(file)
+    : Base(state, file)
   {
   }
 
@@ -67,8 +73,6 @@ public:
   bool coincide(const Point& p, const Point& q) const { return m_state.coincide(p, q); }
 
 private:
-  using Place = typename State::Place;
-
   FT read_coordinate(const char* name)
   {
     using Dynamic_Delaunay_triangulations_2::internal::read_coordinate;
@@ -90,18 +94,6 @@ private:
     return read_rounded_coordinate(m_file, name, x, m_state.positions_are_exact);
   }
 
-  void read_points()
-  {
-    Dynamic_Delaunay_triangulations_2::internal::Checkpoint_points_reader_2(m_file, *this, m_points,
-                                                                            m_state.ids)
-        .read();
-    if (m_state.ids.number_of_points() > Input_3<State>::max_points)
-      m_file.refuse("there are more points than 32 bits allow, above");
-    m_state.positions.resize(m_state.number_of_vertices() + 1);
-    for (std::size_t i = 0; i < m_places.size(); ++i)
-      m_state.positions.set(Vertex_index(i + 1), m_places[i]);
-  }
-
   // What there is without cells depends on the points alone.
   void triangulate_plane()
   {
@@ -117,7 +109,7 @@ private:
 
   void read_cells()
   {
-    read_origin();
+    this->read_origin();
     m_state.arrays.reset(m_state.number_of_vertices() + 1);
     const Index number =
         m_file.number_entry("cells", Index(5), Index(Tetrahedra_arrays_3::max_cells));
@@ -127,27 +119,12 @@ private:
     const Cell_index unlinked = Cell_links_3(m_state.arrays).link();
     if (unlinked != null_index)
       m_file.refuse(line + 1 + unlinked, "not exactly two cells have one of the facets");
-    read_corners();
+    this->read_corners(Vertex_index(0), m_state.number_of_vertices());
     if (!Certificate_3<State>(m_state).is_combinatorially_valid())
       m_file.refuse(line, "the cells do not fit together");
     Unproved_cells_3 unproved;
     if (!Filtered_certificate_3<State>(m_state).holds(unproved))
       m_file.refuse(line, "the cells are not a Delaunay triangulation");
-  }
-
-  void read_origin()
-  {
-    m_file.begin_entry("origin");
-    const std::string_view word = m_file.word("the origin");
-    m_state.has_origin = word != "none";
-    if (m_state.has_origin) {
-      using Dynamic_Delaunay_triangulations_2::internal::read_finite;
-      if (!read_finite(word, m_state.origin.x))
-        m_file.refuse("the origin", word, "none or a finite number");
-      m_state.origin.y = m_file.finite("the origin");
-      m_state.origin.z = m_file.finite("the origin");
-    }
-    m_file.end_line();
   }
 
   void read_cell()
@@ -163,27 +140,7 @@ private:
     m_state.arrays.set_vertices(m_state.arrays.make_cell(), v);
   }
 
-  // Each vertex has to have a cell, so it is enough that its corner is one of it.
-  void read_corners()
-  {
-    Tetrahedra_arrays_3& arrays = m_state.arrays;
-    const Index number = arrays.number_of_vertices();
-    m_file.number_entry("corners", number, number);
-    for (Vertex_index v(0); v < number; ++v) {
-      m_file.next_line();
-      const Corner_index k(m_file.number("the corner", Index(0), 4 * arrays.number_of_cells() - 1));
-      m_file.end_line();
-      if (arrays.vertex(k) != v)
-        m_file.refuse("this is no corner of vertex " + std::to_string(v));
-      arrays.set_corner(k);
-    }
-  }
-
-  State& m_state;
-  Checkpoint_input_2& m_file;
   int m_dimension = -1;
-  std::vector<Point> m_points; // of vertices, from the first one on
-  std::vector<Place> m_places; // of the same
 };
 
 // Not inline: see `Update_3`.
@@ -196,7 +153,7 @@ void Checkpoint_reader_3<State>::read()
     m_file.refuse("doubles are exact, and cannot be rounded");
   m_dimension = m_file.number_entry("dimension", -1, 3);
   m_state.spans_space = m_dimension == 3;
-  read_points();
+  this->read_points();
   if (m_state.spans_space)
     read_cells();
   else

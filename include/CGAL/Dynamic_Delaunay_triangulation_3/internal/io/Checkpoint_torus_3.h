@@ -57,15 +57,6 @@ private:
     return {m[0], m[1], m[2]};
   }
 
-  void write_origin()
-  {
-    const Position_3& o = m_state.origin;
-    if (m_state.has_origin)
-      m_file.line("origin", o.x, o.y, o.z);
-    else
-      m_file.line("origin none");
-  }
-
   void write_cells()
   {
     const Torus_cells_3& arrays = m_state.arrays;
@@ -114,22 +105,29 @@ void Checkpoint_writer_3<Torus_state_3<Traits, ConcurrencyTag>>::write()
       },
       [](const Point& p) { return coordinates(p); });
   if (cell.is_wire())
-    write_origin();
+    write_origin(m_file, m_state);
   write_cells();
 }
 
 // Reads the same into a state without points. What it throws leaves that unusable.
 template <class Traits, class ConcurrencyTag>
 class Checkpoint_reader_3<Torus_state_3<Traits, ConcurrencyTag>>
+  : private Checkpoint_reader_base_3<Checkpoint_reader_3<Torus_state_3<Traits, ConcurrencyTag>>,
+                                     Torus_state_3<Traits, ConcurrencyTag>>
 {
   using State = Torus_state_3<Traits, ConcurrencyTag>;
-  using Point = typename State::Point;
-  using Checkpoint_input_2 = Dynamic_Delaunay_triangulations_2::internal::Checkpoint_input_2;
+  using Base = Checkpoint_reader_base_3<Checkpoint_reader_3, State>;
+  friend Base;
+  using Base::m_file;
+  using Base::m_places;
+  using Base::m_points;
+  using Base::m_state;
+  using typename Base::Checkpoint_input_2;
+  using typename Base::Point;
 
 public:
   Checkpoint_reader_3(State& state, Checkpoint_input_2& file)
-    : m_state(state)
-    , m_file(file)
+    : Base(state, file)
   {
   }
 
@@ -207,35 +205,6 @@ private:
     m_file.refuse("this is no basis of the cell's lattice, or too long a one");
   }
 
-  void read_points()
-  {
-    Dynamic_Delaunay_triangulations_2::internal::Checkpoint_points_reader_2(m_file, *this, m_points,
-                                                                            m_state.ids)
-        .read();
-    if (m_state.ids.number_of_points() > Input_3<State>::max_points)
-      m_file.refuse("there are more points than 32 bits allow, above");
-    m_state.positions.resize(m_state.number_of_vertices() + 1);
-    for (std::size_t i = 0; i < m_places.size(); ++i)
-      m_state.positions.set(Vertex_index(i + 1), m_places[i]);
-  }
-
-  void read_origin()
-  {
-    m_file.begin_entry("origin");
-    const std::string_view word = m_file.word("the origin");
-    m_state.has_origin = word != "none";
-    if (m_state.has_origin) {
-      using Dynamic_Delaunay_triangulations_2::internal::read_finite;
-      if (!read_finite(word, m_state.origin.x))
-        m_file.refuse("the origin", word, "none or a finite number");
-      m_state.origin.y = m_file.finite("the origin");
-      m_state.origin.z = m_file.finite("the origin");
-      if (!m_state.torus.is_in_range(m_state.origin))
-        m_file.refuse("the origin is too far away");
-    }
-    m_file.end_line();
-  }
-
   // CELLS -----------------------------------------------------------------------------------------
 
   // A cell's facet. Its sites are in ascending order, moved so that the first finite one has no
@@ -256,10 +225,8 @@ private:
       read_cell();
     link(line);
     m_state.spans_space = m_state.number_of_vertices() > 0 && (number > 0 || !is_wire());
-    const Index corners = m_state.spans_space ? m_state.number_of_vertices() : Index(0);
-    m_file.number_entry("corners", corners, corners);
-    for (Vertex_index v(1); v <= corners; ++v)
-      read_corner(v);
+    this->read_corners(Vertex_index(1),
+                       m_state.spans_space ? m_state.number_of_vertices() : Index(0));
     Unproved_cells_3 unproved;
     if (!Torus_certificate_3<State>(m_state).holds(unproved))
       m_file.refuse(line, "the cells are not a Delaunay triangulation");
@@ -339,25 +306,6 @@ private:
     });
     return facets;
   }
-
-  void read_corner(Vertex_index v)
-  {
-    Torus_cells_3& arrays = m_state.arrays;
-    m_file.next_line();
-    const Index corners = 4 * arrays.number_of_cells();
-    if (corners == 0)
-      m_file.refuse("there are points, and no cells");
-    const Corner_index k(m_file.number("the corner", Index(0), corners - 1));
-    m_file.end_line();
-    if (arrays.vertex(k) != v)
-      m_file.refuse("this is no corner of vertex " + std::to_string(v));
-    arrays.set_corner(k);
-  }
-
-  State& m_state;
-  Checkpoint_input_2& m_file;
-  std::vector<Point> m_points;         // of vertices, from the first one on
-  std::vector<Torus_place_3> m_places; // of the same
 };
 
 // Not inline: see `Update_3`.
@@ -369,11 +317,14 @@ void Checkpoint_reader_3<Torus_state_3<Traits, ConcurrencyTag>>::read()
   const double largest = m_file.finite("the largest coordinate");
   const double sum = m_file.finite("the sum of multiples");
   m_file.end_line();
-  read_points();
+  this->read_points();
   if (!m_state.set_reach({largest, sum}))
     m_file.refuse("the numbers after \"reach\", above, are too small for these points");
-  if (m_state.torus.is_wire())
-    read_origin();
+  if (is_wire()) {
+    this->read_origin();
+    if (m_state.has_origin && !m_state.torus.is_in_range(m_state.origin))
+      m_file.refuse("the origin is too far away");
+  }
   read_cells();
 }
 

@@ -19,6 +19,17 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
+// Writes the point that cells at infinity are seen from, if there is one.
+template <class State>
+void write_origin(Dynamic_Delaunay_triangulations_2::internal::Checkpoint_output_2& file,
+                  const State& state)
+{
+  if (state.has_origin)
+    file.line("origin", state.origin.x, state.origin.y, state.origin.z);
+  else
+    file.line("origin none");
+}
+
 // Writes a certified triangulation. The manual's page on checkpoints describes the file. What can
 // be computed again from the points, which cells are neighbors and what there is without cells, is
 // not written.
@@ -59,10 +70,7 @@ private:
   void write_cells()
   {
     const Tetrahedra_arrays_3& arrays = m_state.arrays;
-    if (m_state.has_origin)
-      m_file.line("origin", numbers(m_state.origin));
-    else
-      m_file.line("origin none");
+    write_origin(m_file, m_state);
     m_file.line("cells", arrays.number_of_cells());
     for (Cell_index c(0); c < arrays.number_of_cells(); ++c) {
       const Vertices_3& v = arrays.vertices(c);
