@@ -8,7 +8,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_parts.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_base.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/certified_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Distance_query_3.h>
@@ -61,6 +61,11 @@ cells, for points in a plane or on a line in open space, each query looks at all
 */
 template <class Dynamic>
 class Delaunay_point_queries_3
+  : public Delaunay_point_queries_base<
+        Delaunay_point_queries_3<Dynamic>, Dynamic,
+        Dynamic_Delaunay_triangulations_3::internal::Distance_query_3<
+            Dynamic_Delaunay_triangulations_3::internal::State_of_3<Dynamic>>,
+        typename Dynamic_Delaunay_triangulations_3::internal::State_of_3<Dynamic>::Parts>
 {
   using Point_id = Dynamic_Delaunay_triangulations_3::Point_id;
   using Vertex_index = Dynamic_Delaunay_triangulations_3::Vertex_index;
@@ -72,24 +77,18 @@ class Delaunay_point_queries_3
   using Query = Dynamic_Delaunay_triangulations_3::internal::Distance_query_3<State>;
   using Measured = typename Query::Measured;
   using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
-  using Parts = typename State::Parts;
+  using Base =
+      Delaunay_point_queries_base<Delaunay_point_queries_3, Dynamic, Query, typename State::Parts>;
+  friend Base;
 
 public:
   /// \name Types
   /// @{
 
-  /// the triangulation.
-  using Triangulation = Dynamic;
-  /// a point.
-  using Point = typename Dynamic::Point;
-  /// a squared distance: the number type of `Geom_traits`.
-  using FT = typename Dynamic::Geom_traits::FT;
-  /// the type of ids.
-  using size_type = std::size_t;
-  /// what is found: an id; in periodic space an image, which is a
-  /// `std::pair<size_type, Periodic_shift_3>`. Images are in the order of ids, then of their
-  /// shifts, as arrays are compared.
-  using Answer = typename Query::Answer;
+  using typename Base::Answer;
+  using typename Base::FT;
+  using typename Base::Point;
+  using typename Base::size_type;
 
   /// @}
   /// \name Creation
@@ -102,51 +101,10 @@ public:
   }
 
   /// @}
-  /// \name Queries
-  /// All queries throw `Uncertified_triangulation_error_2` unless the triangulation is certified;
-  /// only an empty range of query points needs no certificate. If points coincide, each query also
-  /// takes time proportional to the number of points that share the vertices it finds.
-  ///
-  /// Those for query points throw `Non_finite_coordinate_error_3` if a coordinate is NaN or
-  /// infinite, `Coordinate_range_error_3` if it is too large for this program, and in periodic
-  /// space `Periodic_range_error_3` if the query point is 2<sup>20</sup> cells or more from the
-  /// origin. For a range of query points, `id()` of these errors is the number of the query point.
-  ///
-  /// Queries within a radius take its square, which can be exact where the radius is not, and throw
-  /// `Parameter_error_2` if that is negative or not a finite number. In periodic space they also
-  /// throw it if the radius is larger than 256 times the thickness of the cell, or of a shorter one
-  /// of the same lattice. Queries with an `OutputIterator`, which takes values of `Answer` if
-  /// nothing else is said, return where the next answer would be written.
+  /// \name Queries for Points
+  /// As queries for query points, these throw `Uncertified_triangulation_error_2` unless the
+  /// triangulation is certified, and `Parameter_error_2` for a squared radius that is not allowed.
   /// @{
-
-  /// the point that is nearest to `p`; if several are equally near, the smallest answer. No value
-  /// if there are no points.
-  ///
-  /// Cost: O(n<sup>1/4</sup>) expected for evenly spread points, in periodic space in a cell that
-  /// is not thin; less if the answer is near the last one.
-  std::optional<Answer> nearest(const Point& p) const { return find_nearest(p, 0); }
-
-  /// writes `nearest(p)` for each query point p of a range, in their order.
-  ///
-  /// Cost: that of the queries, which threads share, but those for points that follow each other in
-  /// space are faster.
-  /// \param first, beyond the range of query points.
-  /// \param answers where to write; nothing is written if this throws.
-  /// \tparam ForwardIterator has the value type `Point`.
-  /// \tparam OutputIterator takes values of `std::optional<Answer>`.
-  /// \return where the next answer would be written.
-  template <class ForwardIterator, class OutputIterator>
-  OutputIterator nearest(ForwardIterator first, ForwardIterator beyond,
-                         OutputIterator answers) const
-  {
-    const std::vector<Point> points(first, beyond);
-    std::vector<std::optional<Answer>> found(points.size());
-    Dynamic_Delaunay_triangulations_2::internal::query_in_parts<Parts>(
-        *this, points.size(), [&](const Delaunay_point_queries_3& queries, size_type i, size_type) {
-          found[i] = queries.find_nearest(points[i], i);
-        });
-    return std::copy(found.begin(), found.end(), answers);
-  }
 
   /// the point other than `id` that is nearest to the point `id`; if several are equally near, the
   /// smallest answer. No value if there is no other point. In periodic space the answer can be
@@ -163,7 +121,7 @@ public:
     const Answer asking = Query::answer(id);
     m_found.assign(1, v);
     if (!query.state().ids.is_alone(Point_id(id)))
-      return smallest_found(query, asking);
+      return this->smallest_found(query, asking);
     m_found.clear();
     std::optional<Measured> nearest;
     for_each_neighbor(query.state(), v, [&](const Site& w) {
@@ -176,41 +134,7 @@ public:
       if (result != LARGER)
         m_found.push_back(w);
     });
-    return smallest_found(query, asking);
-  }
-
-  /// writes all points within a radius of `p`, including those on the sphere, to `answers`, in no
-  /// particular order.
-  ///
-  /// Cost: that of `nearest()`, plus time proportional to the number of points found and of their
-  /// neighbors.
-  template <class OutputIterator>
-  OutputIterator within(const Point& p, const FT& squared_radius, OutputIterator answers) const
-  {
-    return find_within(p, 0, squared_radius, answers);
-  }
-
-  /// lists all points within a radius of each query point of a range. Those of the i-th are
-  /// `answers[begins[i]]` to `answers[begins[i + 1] - 1]`, in ascending order.
-  ///
-  /// Cost: that of the queries, which threads share, and O(k log k) for k points found.
-  /// \param first, beyond the range of query points.
-  /// \param squared_radius the square of the radius.
-  /// \param answers receives the answers for all query points; does not change if this throws.
-  /// \param begins receives where the answers for each query point begin, and at its end the number
-  /// of all answers; does not change if this throws. \tparam ForwardIterator has the value type
-  /// `Point`.
-  template <class ForwardIterator>
-  void within(ForwardIterator first, ForwardIterator beyond, const FT& squared_radius,
-              std::vector<Answer>& answers, std::vector<size_type>& begins) const
-  {
-    check(squared_radius);
-    const std::vector<Point> points(first, beyond);
-    Dynamic_Delaunay_triangulations_2::internal::list_in_parts<Parts>(
-        *this, points.size(), answers, begins,
-        [&](const Delaunay_point_queries_3& queries, size_type i, auto found) {
-          queries.find_within(points[i], i, squared_radius, found);
-        });
+    return this->smallest_found(query, asking);
   }
 
   /// writes all points within a radius of the point `id`, except `id` itself, to `answers`, in no
@@ -225,9 +149,9 @@ public:
     const Point p = m_dt->point(id);
     const Floating_point floating_point;
     const Query query = query_at(p, 0);
-    check(squared_radius, query.largest_squared_radius());
-    return write_within(query, query.site(query.state().ids.vertex(Point_id(id))), squared_radius,
-                        Query::answer(id), answers);
+    check_for(query, squared_radius);
+    return this->write_within(query, query.site(query.state().ids.vertex(Point_id(id))),
+                              squared_radius, Query::answer(id), answers);
   }
 
   /// @}
@@ -237,6 +161,11 @@ private:
   {
     Dynamic_Delaunay_triangulations_2::internal::check_extent(
         "the squared radius", CGAL::to_double(squared_radius), largest);
+  }
+
+  static void check_for(const Query& query, const FT& squared_radius)
+  {
+    check(squared_radius, query.largest_squared_radius());
   }
 
   // Errors call p `number`, its number in a range.
@@ -257,22 +186,7 @@ private:
             [&](const Site& w) { return query.compare(query.measured(w), v) == EQUAL; });
     else
       m_found.assign(1, v.site);
-    return smallest_found(query, std::nullopt);
-  }
-
-  template <class OutputIterator>
-  OutputIterator find_within(const Point& p, size_type number, const FT& squared_radius,
-                             OutputIterator answers) const
-  {
-    const Floating_point floating_point;
-    const Query query = query_at(p, number);
-    check(squared_radius, query.largest_squared_radius());
-    if (query.state().number_of_vertices() == 0)
-      return answers;
-    const Measured v = walk(query);
-    if (query.compare_square(v, squared_radius) == LARGER)
-      return answers;
-    return write_within(query, v.site, squared_radius, std::nullopt, answers);
+    return this->smallest_found(query, std::nullopt);
   }
 
   static bool has_cells(const State& state) { return state.spans_space; }
@@ -390,28 +304,6 @@ private:
         if (answer != asking)
           f(answer);
       });
-  }
-
-  std::optional<Answer> smallest_found(const Query& query,
-                                       const std::optional<Answer>& asking) const
-  {
-    std::optional<Answer> smallest;
-    for_each_found(query, asking, [&](const Answer& found) {
-      if (!smallest || Query::is_before(found, *smallest))
-        smallest = found;
-    });
-    return smallest;
-  }
-
-  template <class OutputIterator>
-  OutputIterator write_within(const Query& query, const Site& v, const FT& squared_radius,
-                              const std::optional<Answer>& asking, OutputIterator answers) const
-  {
-    flood(query, v, [&](const Site& w) {
-      return query.compare_square(query.measured(w), squared_radius) != LARGER;
-    });
-    for_each_found(query, asking, [&](const Answer& found) { *answers++ = found; });
-    return answers;
   }
 
   const Dynamic* m_dt;

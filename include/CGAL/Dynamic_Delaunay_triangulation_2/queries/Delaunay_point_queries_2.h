@@ -9,14 +9,13 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Query_parts.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_set_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/queries/Delaunay_point_queries_base.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_type_basic.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -59,32 +58,32 @@ The manual proves that the answers are right, \ref DynamicDelaunaySubsection_Que
 */
 template <class Dynamic>
 class Delaunay_point_queries_2
+  : public Delaunay_point_queries_base<
+        Delaunay_point_queries_2<Dynamic>, Dynamic,
+        Dynamic_Delaunay_triangulations_2::internal::Query_2<
+            Dynamic_Delaunay_triangulations_2::internal::State_of_2<Dynamic>>,
+        typename Dynamic::Frame::Parts>
 {
+  using State = Dynamic_Delaunay_triangulations_2::internal::State_of_2<Dynamic>;
+  using Query = Dynamic_Delaunay_triangulations_2::internal::Query_2<State>;
+  using Base = Delaunay_point_queries_base<Delaunay_point_queries_2, Dynamic, Query,
+                                           typename Dynamic::Frame::Parts>;
+  friend Base;
   using Index = Dynamic_Delaunay_triangulations_2::Index;
   using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
   using Point_id = Dynamic_Delaunay_triangulations_2::Point_id;
-  using State = Dynamic_Delaunay_triangulations_2::internal::State_of_2<Dynamic>;
-  using Query = Dynamic_Delaunay_triangulations_2::internal::Query_2<State>;
-  using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
   using Geometry = typename Query::Geometry;
+  using Floating_point = Dynamic_Delaunay_triangulations_2::internal::Default_floating_point;
   using Site = typename State::Site;
 
 public:
   /// \name Types
   /// @{
 
-  /// the triangulation.
-  using Triangulation = Dynamic;
-  /// a point.
-  using Point = typename Dynamic::Point;
-  /// a squared distance: the number type of `Geom_traits`; in periodic space `double`.
-  using FT = typename Geometry::Coordinate;
-  /// the type of ids.
-  using size_type = std::size_t;
-  /// what is found: an id; in periodic space an image, which is a
-  /// `std::pair<size_type, Periodic_shift_2>`. Images are in the order of ids, then of the first
-  /// numbers of their shifts, then of the second ones.
-  using Answer = typename Geometry::Answer;
+  using typename Base::Answer;
+  using typename Base::FT;
+  using typename Base::Point;
+  using typename Base::size_type;
 
   /// @}
   /// \name Creation
@@ -97,51 +96,10 @@ public:
   }
 
   /// @}
-  /// \name Queries
-  /// All queries throw `Uncertified_triangulation_error_2` unless the triangulation is certified;
-  /// only an empty range of query points needs no certificate. If points coincide, each query also
-  /// takes time proportional to the number of points that share the vertices it finds.
-  ///
-  /// Those for query points throw `Non_finite_coordinate_error_2` if a coordinate is NaN or
-  /// infinite, `Coordinate_range_error_2` if it is too large for this program, and in periodic
-  /// space `Periodic_range_error_2` if the query point is 2<sup>20</sup> cells or more from the
-  /// origin. For a range of query points, `id()` of these errors is the number of the query point.
-  ///
-  /// Queries within a radius take its square, which can be exact where the radius is not, and throw
-  /// `Parameter_error_2` if that is negative or not a finite number. Queries with an
-  /// `OutputIterator`, which takes values of `Answer` if nothing else is said, return where the
-  /// next answer would be written.
+  /// \name Queries for Points
+  /// As queries for query points, these throw `Uncertified_triangulation_error_2` unless the
+  /// triangulation is certified, and `Parameter_error_2` for a squared radius that is not allowed.
   /// @{
-
-  /// the point that is nearest to `p`; if several are equally near, the smallest answer. No value
-  /// if there are no points.
-  ///
-  /// Cost: O(n<sup>1/3</sup>) expected for evenly spread points, in periodic space in a cell that
-  /// is not thin; less if the answer is near the last one.
-  std::optional<Answer> nearest(const Point& p) const { return find_nearest(p, 0); }
-
-  /// writes `nearest(p)` for each query point p of a range, in their order.
-  ///
-  /// Cost: that of the queries, which threads share, but those for points that follow each other in
-  /// space are faster.
-  /// \param first, beyond the range of query points.
-  /// \param answers where to write; nothing is written if this throws.
-  /// \tparam ForwardIterator has the value type `Point`.
-  /// \tparam OutputIterator takes values of `std::optional<Answer>`.
-  /// \return where the next answer would be written.
-  template <class ForwardIterator, class OutputIterator>
-  OutputIterator nearest(ForwardIterator first, ForwardIterator beyond,
-                         OutputIterator answers) const
-  {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    const std::vector<Point> points(first, beyond);
-    std::vector<std::optional<Answer>> found(points.size());
-    query_in_parts<Parts>(*this, points.size(),
-                          [&](const Delaunay_point_queries_2& queries, std::size_t i, std::size_t) {
-                            found[i] = queries.find_nearest(points[i], i);
-                          });
-    return std::copy(found.begin(), found.end(), answers);
-  }
 
   /// the point other than `id` that is nearest to the point `id`; if several are equally near, the
   /// smallest answer. No value if there is no other point. In periodic space the answer can be
@@ -157,7 +115,7 @@ public:
     const Site v = query.site(m_dt->frame().vertex(id));
     const Answer asking = answer(id, Dynamic_Delaunay_triangulations_2::internal::no_shift);
     start_with(query, v);
-    if (const std::optional<Answer> other = smallest_found(query, asking))
+    if (const std::optional<Answer> other = this->smallest_found(query, asking))
       return other;
     m_found.clear(query.state());
     typename Query::Measured nearest = query.measured(v);
@@ -171,41 +129,7 @@ public:
       if (result != LARGER)
         m_found.insert(w);
     });
-    return smallest_found(query, asking);
-  }
-
-  /// writes all points within a radius of `p`, including those on the circle, to `answers`, in no
-  /// particular order.
-  ///
-  /// Cost: that of `nearest()`, plus time proportional to the number of points found and of their
-  /// neighbors; in periodic space O(k log k) for k images found.
-  template <class OutputIterator>
-  OutputIterator within(const Point& p, const FT& squared_radius, OutputIterator answers) const
-  {
-    return find_within(p, 0, squared_radius, answers);
-  }
-
-  /// lists all points within a radius of each query point of a range. Those of the i-th are
-  /// `answers[begins[i]]` to `answers[begins[i + 1] - 1]`, in ascending order.
-  ///
-  /// Cost: that of the queries, which threads share, and O(k log k) for k points found.
-  /// \param first, beyond the range of query points.
-  /// \param squared_radius the square of the radius.
-  /// \param answers receives the answers for all query points; does not change if this throws.
-  /// \param begins receives where the answers for each query point begin, and at its end the number
-  /// of all answers; does not change if this throws. \tparam ForwardIterator has the value type
-  /// `Point`.
-  template <class ForwardIterator>
-  void within(ForwardIterator first, ForwardIterator beyond, const FT& squared_radius,
-              std::vector<Answer>& answers, std::vector<size_type>& begins) const
-  {
-    using namespace Dynamic_Delaunay_triangulations_2::internal;
-    check(squared_radius);
-    const std::vector<Point> points(first, beyond);
-    list_in_parts<Parts>(*this, points.size(), answers, begins,
-                         [&](const Delaunay_point_queries_2& queries, std::size_t i, auto found) {
-                           queries.find_within(points[i], i, squared_radius, found);
-                         });
+    return this->smallest_found(query, asking);
   }
 
   /// writes all points within a radius of the point `id`, except `id` itself, to `answers`, in no
@@ -222,20 +146,21 @@ public:
     const Floating_point floating_point;
     const Query query = query_at(p, 0);
     check(squared_radius);
-    return write_within(query, query.site(m_dt->frame().vertex(id)), squared_radius,
-                        answer(id, Dynamic_Delaunay_triangulations_2::internal::no_shift), answers);
+    return this->write_within(query, query.site(m_dt->frame().vertex(id)), squared_radius,
+                              answer(id, Dynamic_Delaunay_triangulations_2::internal::no_shift),
+                              answers);
   }
 
   /// @}
 
 private:
-  using Parts = typename Dynamic::Frame::Parts;
-
   static void check(const FT& squared_radius)
   {
     Dynamic_Delaunay_triangulations_2::internal::check_extent("the squared radius",
                                                               CGAL::to_double(squared_radius));
   }
+
+  static void check_for(const Query&, const FT& squared_radius) { check(squared_radius); }
 
   // Errors call p `number`, its number in a range.
   Query query_at(const Point& p, size_type number) const
@@ -257,22 +182,7 @@ private:
     const typename Query::Measured v = walk(query);
     flood(query, v.site,
           [&](const Site& w) { return query.compare(query.measured(w), v) == EQUAL; });
-    return smallest_found(query, std::nullopt);
-  }
-
-  template <class OutputIterator>
-  OutputIterator find_within(const Point& p, size_type number, const FT& squared_radius,
-                             OutputIterator answers) const
-  {
-    const Floating_point floating_point;
-    const Query query = query_at(p, number);
-    check(squared_radius);
-    if (m_dt->number_of_vertices() == 0)
-      return answers;
-    const typename Query::Measured v = walk(query);
-    if (query.compare_square(v, squared_radius) == LARGER)
-      return answers;
-    return write_within(query, v.site, squared_radius, std::nullopt, answers);
+    return this->smallest_found(query, std::nullopt);
   }
 
   // Returns a nearest site: moves to the nearest neighbor until none is nearer.
@@ -360,28 +270,6 @@ private:
         call(id, geometry.shift(site) + geometry.shift_to(v, ids.covered_point(id)));
       });
     }
-  }
-
-  std::optional<Answer> smallest_found(const Query& query,
-                                       const std::optional<Answer>& asking) const
-  {
-    std::optional<Answer> smallest;
-    for_each_found(query, asking, [&](const Answer& found) {
-      if (!smallest || found < *smallest)
-        smallest = found;
-    });
-    return smallest;
-  }
-
-  template <class OutputIterator>
-  OutputIterator write_within(const Query& query, const Site& v, const FT& squared_radius,
-                              const std::optional<Answer>& asking, OutputIterator answers) const
-  {
-    flood(query, v, [&](const Site& w) {
-      return query.compare_square(query.measured(w), squared_radius) != LARGER;
-    });
-    for_each_found(query, asking, [&](const Answer& found) { *answers++ = found; });
-    return answers;
   }
 
   const Dynamic* m_dt;

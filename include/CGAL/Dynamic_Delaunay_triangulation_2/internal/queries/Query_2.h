@@ -25,6 +25,8 @@ class Query_2
 public:
   using Geometry = Site_geometry_2<State>;
   using Point = typename Geometry::Point;
+  using FT = typename Geometry::Coordinate; // of a squared distance
+  using Answer = typename Geometry::Answer;
   using Site = typename Geometry::Site;
 
   // Throws unless p is a valid point: the error calls it `number`. Both must outlive this object.
@@ -54,6 +56,8 @@ public:
     return m_geometry.orientation(a, b, m_point);
   }
   bool is_at(const Site& site) const { return m_geometry.coincide(site, m_point); }
+
+  static bool is_before(const Answer& a, const Answer& b) { return a < b; }
 
   // A site, and an interval of its squared distance.
   struct Measured

@@ -47,6 +47,7 @@ class Distance_query_3
 {
 public:
   using Point = typename State::Point;
+  using FT = typename State::Traits::FT; // of a squared distance
   using Measured = Measured_site_3<Vertex_index>;
   using Answer = std::size_t;
 
@@ -108,7 +109,6 @@ public:
                                  m_point, m_state.point(a.site), m_state.point(b.site));
   }
 
-  template <class FT>
   Comparison_result compare_square(const Measured& a, const FT& other) const
   {
     const auto [lower, upper] = CGAL::to_interval(other);
@@ -132,6 +132,7 @@ class Distance_query_3<State, Torus_cells_3>
 {
 public:
   using Point = typename State::Point;
+  using FT = typename State::Traits::FT; // of a squared distance
   using Site = Torus_site_3;
   using Measured = Measured_site_3<Site>;
   using Answer = std::pair<std::size_t, Periodic_shift_3>;
