@@ -1031,6 +1031,24 @@ TEST(Parts, flip_only_edges_with_all_vertices_there)
   try_flips_in_parts<Periodic<CGAL::Sequential_tag>>(CGAL::Periodic_cell_2(side, side));
 }
 
+TEST(Parts, find_each_index_once)
+{
+  using Parts = internal::Parallel_parts<CGAL::Parallel_tag>;
+  using CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
+  std::vector<Edge_index> indices;
+  for (std::size_t i = 0; i < many; ++i)
+    indices.push_back(Edge_index(i * i % many));
+  std::vector<Edge_index> expected = indices;
+  std::sort(expected.begin(), expected.end());
+  expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+  for (const int threads : {1, 2, 8})
+    with_threads(threads, [&] {
+      std::vector<Edge_index> found = indices;
+      internal::make_distinct_by_parts<Parts>(found);
+      EXPECT_EQ(found, expected);
+    });
+}
+
 TEST(Parts, throw_what_the_first_one_throws)
 {
   using Parts = internal::Parallel_parts<CGAL::Parallel_tag>;

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <bitset>
 #include <cstddef>
 #include <cstdint>
@@ -73,17 +74,44 @@ private:
   std::size_t m_size = 0;
 };
 
+// Replaces the elements of a list from the i-th on by the indices of bits, ascending: the lowest
+// bit of count_word(w) is that of 64 * w, the next one that of 64 * w + 1. Then write_word(w) has
+// to return the same bits; it is called after everything that may throw. Threads share the words.
+template <class Parts, class Index_of_kind, class Count_word, class Write_word>
+void list_bits(std::size_t words, const Count_word& count_word, const Write_word& write_word,
+               std::size_t i, std::vector<Index_of_kind>& list)
+{
+  constexpr std::size_t bits = 64, least = Parts::size_for(bits);
+  std::array<std::size_t, Parts::max_parts> numbers;
+  Parts::for_each(words, least, [&](std::size_t part, std::size_t w, std::size_t beyond) {
+    numbers[part] = 0;
+    for (; w < beyond; ++w)
+      numbers[part] += std::bitset<bits>(count_word(w)).count();
+  });
+  for (std::size_t part = 0; part < Parts::number(words, least); ++part)
+    i += std::exchange(numbers[part], i);
+  list.resize(i); // nothing throws from here on
+  Parts::for_each(words, least, [&](std::size_t part, std::size_t w, std::size_t beyond) {
+    for (; w < beyond; ++w)
+      for (std::uint64_t word = write_word(w); word != 0; word &= word - 1)
+        list[numbers[part]++] = Index_of_kind(w * bits + lowest_bit(word));
+  });
+}
+
 // A set of indices below a bound, in the order of insertion. Membership is stored as bits, so that
-// random look-ups stay in the cache. Clearing takes time proportional to the number of members.
-// After the first frames nothing is allocated.
+// random look-ups stay in the cache. Clearing takes time proportional to the number of members, at
+// most to the bound. After the first frames nothing is allocated.
 template <class Index_of_kind>
 class Index_set
 {
 public:
   void clear(std::size_t bound)
   {
-    for (const Index_of_kind i : m_members)
-      m_words[i / bits] = 0;
+    if (m_members.size() > m_words.size())
+      std::fill(m_words.begin(), m_words.end(), 0);
+    else
+      for (const Index_of_kind i : m_members)
+        m_words[i / bits] = 0;
     m_members.clear();
     m_words.resize((bound + bits - 1) / bits, 0);
   }
@@ -99,34 +127,15 @@ public:
     return true;
   }
 
-  // Inserts, in ascending order, the indices whose bits `take(w)` returns for all w: from the
-  // lowest bit on those of 64 * w, 64 * w + 1, ... Threads share the work.
+  // Inserts, in ascending order, the indices whose bits `take(w)` returns for all w, as list_bits()
+  // has them. Threads share the work.
   template <class Parts, class Take>
   void insert_words(const Take& take)
   {
-    constexpr std::size_t least = (std::max)(Parts::usual_size / bits, std::size_t(1));
     std::vector<std::uint64_t> inserted(m_words.size());
-    std::array<std::size_t, Parts::max_parts> numbers;
-    Parts::for_each(m_words.size(), least,
-                    [&](std::size_t part, std::size_t w, std::size_t beyond) {
-                      numbers[part] = 0;
-                      for (; w < beyond; ++w) {
-                        inserted[w] = take(w) & ~m_words[w];
-                        numbers[part] += std::bitset<bits>(inserted[w]).count();
-                      }
-                    });
-    std::size_t sum = m_members.size();
-    for (std::size_t part = 0; part < Parts::number(m_words.size(), least); ++part)
-      sum += std::exchange(numbers[part], sum);
-    m_members.resize(sum); // nothing throws from here on
-    Parts::for_each(m_words.size(), least,
-                    [&](std::size_t part, std::size_t w, std::size_t beyond) {
-                      for (; w < beyond; ++w) {
-                        m_words[w] |= inserted[w];
-                        for (std::uint64_t word = inserted[w]; word != 0; word &= word - 1)
-                          m_members[numbers[part]++] = Index_of_kind(w * bits + lowest_bit(word));
-                      }
-                    });
+    list_bits<Parts>(
+        m_words.size(), [&](std::size_t w) { return inserted[w] = take(w) & ~m_words[w]; },
+        [&](std::size_t w) { return m_words[w] |= inserted[w], inserted[w]; }, size(), m_members);
   }
 
   // Replaces the content by these indices.
@@ -195,6 +204,33 @@ void make_distinct(std::vector<Index_of_kind>& indices)
   boost::sort::spreadsort::integer_sort(indices.begin(), indices.end(),
                                         [](Index i, unsigned digits) { return i >> digits; });
   indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+}
+
+// The same, by bits that threads set and read, if the indices are many.
+template <class Parts, class Index_of_kind>
+void make_distinct_by_parts(std::vector<Index_of_kind>& indices)
+{
+  constexpr std::size_t bits = 64, words_per_index = 32;
+  constexpr std::size_t least = Parts::size_for(words_per_index);
+  const std::size_t number = indices.size(), parts = Parts::number(number, least);
+  if (!Parts::are_shared(parts))
+    return make_distinct(indices);
+  std::array<Index, Parts::max_parts> largest;
+  Parts::for_each(number, least, [&](std::size_t part, std::size_t i, std::size_t beyond) {
+    largest[part] = *std::max_element(indices.begin() + std::ptrdiff_t(i),
+                                      indices.begin() + std::ptrdiff_t(beyond));
+  });
+  const std::size_t words = *std::max_element(largest.begin(), largest.begin() + parts) / bits + 1;
+  if (words / words_per_index > number)
+    return make_distinct(indices);
+  std::vector<std::atomic<std::uint64_t>> are_there(words);
+  Parts::for_each(number, least, [&](std::size_t, std::size_t i, std::size_t beyond) {
+    for (; i < beyond; ++i)
+      are_there[indices[i] / bits].fetch_or(std::uint64_t(1) << indices[i] % bits,
+                                            std::memory_order_relaxed);
+  });
+  const auto word = [&](std::size_t w) { return are_there[w].load(std::memory_order_relaxed); };
+  list_bits<Parts>(words, word, word, 0, indices);
 }
 
 // Removes the i-th of the indices if is(i, beyond). Threads share the calls: `beyond` is the end of

@@ -38,6 +38,12 @@ public:
 
   static constexpr std::size_t max_parts = 128;
 
+  // The least size of parts whose elements take so many times as long as usual ones.
+  static constexpr std::size_t size_for(std::size_t times)
+  {
+    return (std::max)(usual_size / times, std::size_t(1));
+  }
+
   // Returns the number of parts of a range. Two or more have at least `least` elements each.
   static std::size_t number(std::size_t size, std::size_t least = usual_size)
   {
@@ -68,7 +74,12 @@ public:
   template <class Function>
   static void for_each_element(std::size_t size, const Function& f)
   {
-    for_each(size, [&](std::size_t, std::size_t first, std::size_t beyond) {
+    for_each_element(size, usual_size, f);
+  }
+  template <class Function>
+  static void for_each_element(std::size_t size, std::size_t least, const Function& f)
+  {
+    for_each(size, least, [&](std::size_t, std::size_t first, std::size_t beyond) {
       for (std::size_t i = first; i < beyond; ++i)
         f(i);
     });

@@ -25,17 +25,24 @@ public:
   // Reserves memory for so many removed elements. Then assign() throws nothing.
   void reserve(std::size_t number) { m_new.reserve(number); }
 
-  // There were `size` elements; `gaps` are the removed ones, ascending.
+  // There were `size` elements; `gaps` are the removed ones, ascending. Threads share the work.
+  template <class Parts>
   void assign(Index size, const std::vector<Index_of_kind>& gaps)
   {
     m_kept = size - Index(gaps.size());
-    m_new.assign(gaps.size(), null_index);
-    auto filled = gaps.begin(), removed = std::lower_bound(gaps.begin(), gaps.end(), m_kept);
-    for (Index i = 0; i < gaps.size(); ++i)
-      if (removed != gaps.end() && *removed == m_kept + i)
-        ++removed;
-      else
-        m_new[i] = *filled++;
+    m_new.resize(gaps.size());
+    const auto first_removed = std::lower_bound(gaps.begin(), gaps.end(), m_kept);
+    Parts::for_each(gaps.size(), Parts::size_for(8),
+                    [&](std::size_t, std::size_t i, std::size_t beyond) {
+                      auto removed = std::lower_bound(first_removed, gaps.end(), m_kept + i);
+                      auto filled = gaps.begin() + (std::ptrdiff_t(i) - (removed - first_removed));
+                      for (; i < beyond; ++i)
+                        if (removed != gaps.end() && *removed == m_kept + i) {
+                          ++removed;
+                          m_new[i] = null_index;
+                        } else
+                          m_new[i] = *filled++;
+                    });
   }
 
   // The elements that are left have smaller numbers.
@@ -53,7 +60,7 @@ public:
   template <class Parts, class Function>
   void for_each_move(const Function& f) const
   {
-    Parts::for_each_element(m_new.size(), [&](std::size_t i) {
+    Parts::for_each_element(m_new.size(), Parts::size_for(8), [&](std::size_t i) {
       if (m_new[i] != null_index)
         f(Index_of_kind(m_kept + Index(i)), m_new[i]);
     });

@@ -36,6 +36,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 template <class State>
 class Vertex_relocation_2
 {
+  using Parts = typename State::Parts;
   using Editor = Topology_editor_2<State>;
   using Slot = typename Editor::Slot;
   using Point = typename State::Point;
@@ -124,7 +125,8 @@ public:
       if (m_state.ids().is_taken(id))
         remove(id, moved);
     if (are_delaunay) {
-      make_distinct(m_rest); // those that are close in space are then close in time, too
+      make_distinct_by_parts<Parts>(
+          m_rest); // those that are close in space are then close in time, too
       take_out_of_delaunay(m_rest, m_empty, [](auto& editor, const Polygon& polygon) {
         return editor.remove(polygon);
       });
@@ -330,15 +332,16 @@ private:
   void sort_positions()
   {
     const Index number = Index(m_waiting.size() + m_ids.size());
-    m_positions.clear();
-    for (Index i = 0; i < number; ++i)
-      m_positions.push_back(m_state.position_in_order(
-          waits(i) ? m_state.positions()[m_waiting[i].vertex] : approximation(point_at(i))));
-    m_order.sort(m_positions, boost::counting_iterator<Index>(0),
-                 boost::counting_iterator<Index>(number));
+    m_positions.resize(number);
+    Parts::for_each_element(number, Parts::size_for(8), [&](std::size_t k) {
+      const auto i = Index(k);
+      m_positions[i] = m_state.position_in_order(waits(i) ? m_state.positions()[m_waiting[i].vertex]
+                                                          : approximation(point_at(i)));
+    });
+    m_order.template sort<Parts>(m_positions, boost::counting_iterator<Index>(0),
+                                 boost::counting_iterator<Index>(number));
     m_numbers.resize(number);
-    for (std::size_t k = 0; k < number; ++k)
-      m_numbers[k] = m_order[k];
+    Parts::for_each_element(number, [&](std::size_t k) { m_numbers[k] = m_order[k]; });
   }
 
   // Provides each position with a slot: waiting vertices have their own, the others get empty ones,

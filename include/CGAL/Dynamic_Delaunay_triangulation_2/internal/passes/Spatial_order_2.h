@@ -178,6 +178,9 @@ public:
 private:
   // At most so many points are sorted by their coordinates without a grid.
   static constexpr std::size_t few = 8;
+  // Points of a part: to sort one takes tens of nanoseconds.
+  template <class Parts>
+  static constexpr std::size_t least = Parts::size_for(8);
   // Ranks per level: the lines of a grid use the upper half, those between few points the lower.
   static constexpr int ranks = 64;
 
@@ -198,7 +201,7 @@ private:
       std::uint32_t last_place;
     };
     std::array<Border, Parts::max_parts + 1> borders;
-    const std::size_t size = beyond - first, parts = Parts::number(size);
+    const std::size_t size = beyond - first, parts = Parts::number(size, least<Parts>);
     for (std::size_t part = 0; part <= parts; ++part) {
       const std::size_t begin =
           begin_of_cell(first, first + Parts::begin(part, parts, size), beyond);
@@ -249,13 +252,13 @@ private:
   {
     using boost::sort::spreadsort::integer_sort;
     const auto begin = m_places.begin() + std::ptrdiff_t(first);
-    const std::size_t size = beyond - first, parts = Parts::number(size);
+    const std::size_t size = beyond - first, parts = Parts::number(size, least<Parts>);
     if (!Parts::are_shared(parts))
       return integer_sort(begin, begin + std::ptrdiff_t(size));
     constexpr unsigned digits = 256;
     const auto digit = [](std::uint64_t p) { return std::size_t(p >> 56); };
     std::vector<std::array<std::size_t, digits>> next(parts, std::array<std::size_t, digits>{});
-    Parts::for_each(size, [&](std::size_t part, std::size_t i, std::size_t end) {
+    Parts::for_each(size, least<Parts>, [&](std::size_t part, std::size_t i, std::size_t end) {
       for (; i < end; ++i)
         ++next[part][digit(begin[std::ptrdiff_t(i)])];
     });
@@ -268,7 +271,7 @@ private:
     }
     borders[digits] = sum;
     Uninitialized_vector<std::uint64_t> sorted(size);
-    Parts::for_each(size, [&](std::size_t part, std::size_t i, std::size_t end) {
+    Parts::for_each(size, least<Parts>, [&](std::size_t part, std::size_t i, std::size_t end) {
       for (; i < end; ++i) {
         const std::uint64_t p = begin[std::ptrdiff_t(i)];
         sorted[next[part][digit(p)]++] = p;
@@ -298,13 +301,13 @@ private:
   Box bounding_box(std::size_t first, std::size_t size) const
   {
     std::array<Box, Parts::max_parts> boxes;
-    Parts::for_each(size, [&](std::size_t part, std::size_t i, std::size_t end) {
+    Parts::for_each(size, least<Parts>, [&](std::size_t part, std::size_t i, std::size_t end) {
       Box box{position(first + i), position(first + i)};
       for (; i < end; ++i)
         box.add({position(first + i), position(first + i)});
       boxes[part] = box;
     });
-    for (std::size_t part = 1; part < Parts::number(size); ++part)
+    for (std::size_t part = 1; part < Parts::number(size, least<Parts>); ++part)
       boxes[0].add(boxes[part]);
     return boxes[0];
   }
@@ -322,7 +325,7 @@ private:
       return false;
     static const Hilbert_curve_2 curve;
     const Position_2 origin = low;
-    Parts::for_each(beyond - first, [&](std::size_t, std::size_t i, std::size_t end) {
+    Parts::for_each(beyond - first, least<Parts>, [&](std::size_t, std::size_t i, std::size_t end) {
       for (i += first, end += first; i < end; ++i) {
         const Position_2& p = position(i);
         const std::uint64_t place = curve.place(std::uint32_t((p.x - origin.x) * scale),

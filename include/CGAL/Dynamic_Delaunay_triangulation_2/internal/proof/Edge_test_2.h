@@ -389,7 +389,7 @@ template <class State>
 void keep_unproved(const State& state, std::vector<Edge_index>& edges)
 {
   using Parts = typename State::Parts;
-  constexpr std::size_t least = (std::max)(Parts::usual_size / 16, std::size_t(1)), ahead = 8;
+  constexpr std::size_t least = Parts::size_for(16), ahead = 8;
   make_distinct(edges);
   const typename State::Edge_test test(state);
   remove_by_parts<Parts>(edges, least, [&](std::size_t i, std::size_t beyond) {

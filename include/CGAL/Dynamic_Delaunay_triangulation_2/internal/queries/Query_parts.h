@@ -18,7 +18,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
 // The least number of queries in a part. A query takes about a microsecond.
 template <class Parts>
-constexpr std::size_t least_queries = (std::max)(Parts::usual_size / 64, std::size_t(1));
+constexpr std::size_t least_queries = Parts::size_for(64);
 
 // Calls f(queries, i, part) for all i below `size`.
 template <class Parts, class Queries, class Function>

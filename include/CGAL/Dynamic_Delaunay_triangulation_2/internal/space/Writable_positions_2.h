@@ -222,7 +222,8 @@ public:
     m_points.resize(first + number);
     if constexpr (!points_are_two_doubles)
       m_positions.resize(first + number);
-    Parts::for_each_element(number, [&](std::size_t i) { set(Vertex_index(first + i), point(i)); });
+    Parts::for_each_element(number, Parts::size_for(8),
+                            [&](std::size_t i) { set(Vertex_index(first + i), point(i)); });
     if (m_is_frame)
       m_other_points.insert(m_other_points.end(), m_points.begin() + std::ptrdiff_t(first),
                             m_points.end());

@@ -250,6 +250,16 @@ public:
     m_free_ids.push_back(id);
     std::push_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
   }
+  // Frees many, if end_releases() follows, with the number of all of them.
+  void release(const std::vector<Point_id>& ids)
+  {
+    m_free_ids.insert(m_free_ids.end(), ids.begin(), ids.end());
+  }
+  void end_releases(std::size_t number)
+  {
+    if (number > 0)
+      std::make_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
+  }
 
   // Reserve memory for more vertices, for more covered points, or for more free ids. Then nothing
   // below throws.
@@ -261,8 +271,12 @@ public:
   }
   void reserve_for_removals(std::size_t number) { reserve_extra(m_free_ids, number); }
 
-  // Appends a vertex without representative.
-  void append_vertex() { m_representative.push_back(null_index); }
+  // Append vertices without representatives.
+  void append_vertex() { append_vertices(1); }
+  void append_vertices(std::size_t number)
+  {
+    m_representative.resize(m_representative.size() + number, null_index);
+  }
 
   // Makes `id`, a reserved id or that of a covered point, the representative of a vertex that has
   // none.

@@ -71,6 +71,7 @@ class Topology_editor_2
 {
   using Writer = typename State::Writer;
   using Editing = typename State::Editing;
+  using Parts = typename State::Parts;
   using Positions = typename Writer::Positions;
   using Point = typename State::Point;
   using Chart = typename State::Chart;
@@ -124,7 +125,7 @@ public:
   }
 
   // Ends an update. Each new edge is in the log once afterwards.
-  void end_changes() { make_distinct(m_changes.new_edges); }
+  void end_changes() { make_distinct_by_parts<Parts>(m_changes.new_edges); }
 
   void note_everything_is_new() { m_changes.everything_is_new = true; }
 
@@ -379,10 +380,8 @@ public:
     renumberings.vertices.note_appended(Vertex_index(m_arrays.number_of_vertices()));
     renumberings.edges.note_appended(Edge_index(m_arrays.number_of_edges()));
     renumberings.faces.note_appended(Face_index(m_arrays.number_of_faces()));
-    for (std::size_t i = 0; i < number; ++i) {
-      made.push_back(m_arrays.append_slot());
-      m_ids.append_vertex();
-    }
+    m_arrays.template append_slots<Parts>(number, made);
+    m_ids.append_vertices(number);
   }
 
   // Replaces the slot's vertex, which has no representative, by a fresh one at p. If it throws,
@@ -399,14 +398,14 @@ public:
   // and faces take the free numbers. No other slots may exist. If it throws, nothing has changed.
   void drop(const std::vector<Slot>& empty_slots)
   {
-    collect_numbers(empty_slots, [](auto& numbers) { make_distinct(numbers); });
+    collect_numbers(empty_slots, [](auto& numbers) { make_distinct_by_parts<Parts>(numbers); });
     m_changes.renumberings.reserve_for_removals(empty_slots.size());
     drop_collected(); // nothing throws from here on
     auto& new_edges = m_changes.new_edges;
     if (m_changes.everything_is_new) // some of these numbers can no longer be traced
       return new_edges.clear();
-    for (Edge_index& e : new_edges)
-      e = m_edges_to(e);
+    Parts::for_each_element(new_edges.size(),
+                            [&](std::size_t i) { new_edges[i] = m_edges_to(new_edges[i]); });
     new_edges.erase(std::remove(new_edges.begin(), new_edges.end(), null_index), new_edges.end());
   }
 
@@ -541,7 +540,7 @@ public:
       const Position_2 rest = m_state.rest_position(v), target = m_state.positions()[v];
       return Position_2{between(rest.x, target.x), between(rest.y, target.y)};
     };
-    m_positions.template stop_at<typename State::Parts>(place);
+    m_positions.template stop_at<Parts>(place);
   }
   // Puts all vertices at their targets; they rest where they have stopped.
   void go_on()
@@ -576,7 +575,7 @@ private:
   {
     const std::size_t vertices = m_arrays.number_of_vertices(), faces = m_arrays.number_of_faces();
     try {
-      m_positions.template append<typename State::Parts>(number, point);
+      m_positions.template append<Parts>(number, point);
       m_editing.append_slots(number);
     } catch (...) {
       m_positions.resize(vertices);
@@ -648,22 +647,22 @@ private:
   template <class Sort>
   void collect_numbers(const std::vector<Slot>& empty_slots, const Sort& sort)
   {
-    m_empty_vertices.clear();
-    m_empty_faces.clear();
-    m_empty_edges.clear();
-    for (const Slot& slot : empty_slots) {
-      m_empty_vertices.push_back(slot.vertex);
-      for (const Face_index f : slot.faces)
-        m_empty_faces.push_back(f);
-      for (const Edge_index e : slot.edges)
-        m_empty_edges.push_back(e);
-    }
+    const std::size_t number = empty_slots.size();
+    m_empty_vertices.resize(number);
+    m_empty_faces.resize(2 * number);
+    m_empty_edges.resize(3 * number);
+    Parts::for_each_element(number, Parts::size_for(8), [&](std::size_t i) {
+      const Slot& slot = empty_slots[i];
+      m_empty_vertices[i] = slot.vertex;
+      std::copy(slot.faces.begin(), slot.faces.end(), &m_empty_faces[2 * i]);
+      std::copy(slot.edges.begin(), slot.edges.end(), &m_empty_edges[3 * i]);
+    });
     sort(m_empty_vertices);
     sort(m_empty_faces);
     sort(m_empty_edges);
-    m_vertices_to.assign(m_arrays.number_of_vertices(), m_empty_vertices);
-    m_faces_to.assign(m_arrays.number_of_faces(), m_empty_faces);
-    m_edges_to.assign(m_arrays.number_of_edges(), m_empty_edges);
+    m_vertices_to.template assign<Parts>(m_arrays.number_of_vertices(), m_empty_vertices);
+    m_faces_to.template assign<Parts>(m_arrays.number_of_faces(), m_empty_faces);
+    m_edges_to.template assign<Parts>(m_arrays.number_of_edges(), m_empty_edges);
   }
 
   // Gives the collected numbers to the last elements: one by one, or if they are many, in passes
@@ -680,7 +679,6 @@ private:
           [&](Vertex_index last, Vertex_index to) { renumberings.vertices.note_move(last, to); });
     }
     constexpr std::size_t many = 128; // one of so many
-    using Parts = typename State::Parts;
     const std::size_t vertices = m_arrays.number_of_vertices();
     if (Parts::number(vertices) >= Parts::least_shared &&
         m_empty_vertices.size() >= vertices / many)
@@ -726,15 +724,19 @@ private:
     m_changes_of_parts.resize((std::max)(parts, m_changes_of_parts.size()));
     const auto run_part = [&](std::size_t part) { f(part, m_changes_of_parts[part]); };
     const auto log_all = [&] {
-      for (std::size_t part = 0; part < parts; ++part)
+      std::size_t gone = 0;
+      for (std::size_t part = 0; part < parts; ++part) {
+        gone += m_changes_of_parts[part].gone.size();
         log(m_changes_of_parts[part]);
+      }
+      m_ids.end_releases(gone);
     };
     try {
       if (is_one_after_other)
         for (std::size_t part = 0; part < parts; ++part)
           run_part(part);
       else
-        State::Parts::run(parts, run_part);
+        Parts::run(parts, run_part);
     } catch (...) {
       log_all();
       throw;
@@ -765,8 +767,7 @@ private:
     }
     m_changes.relocated.insert(m_changes.relocated.end(), changes.relocated.begin(),
                                changes.relocated.end());
-    for (const Point_id id : changes.gone)
-      m_ids.release(id);
+    m_ids.release(changes.gone);
     m_editing.append(changes.log);
     changes.edges.clear();
     changes.relocated.clear();

@@ -277,7 +277,7 @@ public:
     m_edges[e] = Edge_2{infinite_index, infinite_index, infinite_index, infinite_index};
   }
 
-  // Reserves memory for more slots. Then append_slot() throws nothing.
+  // Reserves memory for more slots. Then append_slots() throws nothing.
   void reserve_for_slots(std::size_t number)
   {
     reserve_extra(m_halfedges, 6 * number);
@@ -286,19 +286,25 @@ public:
     reserve_extra(m_corner, number);
   }
 
-  // Appends a slot with the next numbers.
-  Slot append_slot()
+  // Makes slots with the next numbers, and appends them to `made`, which must have the memory.
+  // Threads share them.
+  template <class Parts>
+  void append_slots(std::size_t number, std::vector<Slot>& made)
   {
-    const Face_index faces(number_of_faces());
-    const Edge_index edges(number_of_edges());
-    const Slot slot{
-        Vertex_index(m_corner.size()), {faces, faces + 1}, {edges, edges + 1, edges + 2}};
-    m_corner.push_back(null_index);
-    m_halfedges.resize(m_halfedges.size() + 6, Halfedge{null_index, null_index, null_index});
-    m_edges.resize(m_edges.size() + 3);
-    m_halfedge_of_edge.resize(m_halfedge_of_edge.size() + 3, null_index);
-    empty(slot);
-    return slot;
+    const std::size_t first = made.size(), vertices = m_corner.size(), faces = number_of_faces(),
+                      edges = number_of_edges();
+    made.resize(first + number);
+    m_corner.resize(vertices + number);
+    m_halfedges.resize(3 * faces + 6 * number);
+    m_edges.resize(edges + 3 * number);
+    m_halfedge_of_edge.resize(edges + 3 * number);
+    Parts::for_each_element(number, Parts::size_for(16), [&](std::size_t i) {
+      const Face_index f(faces + 2 * i);
+      const Edge_index e(edges + 3 * i);
+      std::fill_n(&m_halfedges[halfedge_in(f, 0)], 6, Halfedge{null_index, null_index, null_index});
+      made[first + i] = {Vertex_index(vertices + i), {f, f + 1}, {e, e + 1, e + 2}};
+      empty(made[first + i]);
+    });
   }
 
   // Puts the slot's vertex v into face f. Face f keeps the edge opposite to its first vertex, and v

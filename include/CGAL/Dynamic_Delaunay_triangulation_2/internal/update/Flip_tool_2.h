@@ -122,7 +122,7 @@ public:
                           std::vector<Edge_index>& at_infinity) const
   {
     using Parts = typename State::Parts;
-    constexpr std::size_t least = (std::max)(Parts::usual_size / 8, std::size_t(1)), ahead = 16;
+    constexpr std::size_t least = Parts::size_for(8), ahead = 16;
     append_by_parts<Parts>(edges.size(), least, at_infinity,
                            [&](std::size_t i, std::size_t beyond, std::vector<Edge_index>& some) {
                              for (; i < beyond; ++i) {

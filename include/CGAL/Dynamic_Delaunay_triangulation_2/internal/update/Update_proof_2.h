@@ -144,7 +144,7 @@ public:
         arrays.for_each_side(new_edges[i], [this](Edge_index e) { m_opened.insert(e); });
       }
     using Parts = typename State::Parts;
-    constexpr std::size_t least = (std::max)(Parts::usual_size / 4, std::size_t(1));
+    constexpr std::size_t least = Parts::size_for(4);
     remove_by_parts<Parts>(m_illegal, least, [&](std::size_t k, std::size_t) {
       return arrays.is_empty_edge(m_illegal[k]);
     });
