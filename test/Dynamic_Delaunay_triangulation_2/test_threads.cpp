@@ -1005,9 +1005,7 @@ void try_flips_in_parts(
   editor.flip_in_parts(topology, false, most, [&](std::size_t part, const auto& try_flip) {
     for (Edge_index e(0); e < state.arrays().number_of_edges(); ++e) {
       const auto edge = state.arrays().edge(e);
-      const auto is_in_part = [&](Vertex_index v) {
-        return v / ((vertices + parts - 1) / parts) == part;
-      };
+      const auto is_in_part = [&](Vertex_index v) { return topology.part_of(v) == part; };
       const bool is_shown = edge.source != edge.target;
       const bool is_inside = is_shown && is_in_part(edge.source) && is_in_part(edge.target) &&
                              is_in_part(edge.left) && is_in_part(edge.right);
@@ -1029,6 +1027,26 @@ TEST(Parts, flip_only_edges_with_all_vertices_there)
   const double side = std::sqrt(double(fewer));
   try_flips_in_parts<Planar<CGAL::Sequential_tag>>(Epick());
   try_flips_in_parts<Periodic<CGAL::Sequential_tag>>(CGAL::Periodic_cell_2(side, side));
+}
+
+TEST(Parts, have_their_elements_of_a_list_in_its_order)
+{
+  using Parts = internal::Parallel_parts<CGAL::Parallel_tag>;
+  constexpr std::size_t parts = 5;
+  std::vector<int> list(many);
+  std::iota(list.begin(), list.end(), 0);
+  const auto part_of = [](std::size_t i) { return i * i % 7 % parts; };
+  for (const int threads : {1, 2, 8})
+    with_threads(threads, [&] {
+      internal::Divided_list<int> divided;
+      divided.divide<Parts>(list, parts, part_of);
+      for (std::size_t part = 0; part < parts; ++part) {
+        std::vector<int> expected;
+        std::copy_if(list.begin(), list.end(), std::back_inserter(expected),
+                     [&](int i) { return part_of(std::size_t(i)) == part; });
+        EXPECT_EQ(std::vector<int>(divided.begin(part), divided.end(part)), expected) << part;
+      }
+    });
 }
 
 TEST(Parts, find_each_index_once)

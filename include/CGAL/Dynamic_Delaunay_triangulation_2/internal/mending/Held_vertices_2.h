@@ -8,8 +8,10 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Hull_flips_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Spatial_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Divided_list.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
@@ -19,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -69,16 +72,20 @@ public:
       m_state.arrays().for_each_corner(infinite_index, [&](Halfedge_index h) {
         add_if_inverted(Arrays::face_of(h), m_inverted);
       });
-    const Topology_parts_2 topology(m_state);
-    const bool has_parts = topology.are_worth<Parts>(2 * m_inverted.size());
-    const std::size_t in_parts = has_parts ? hold_in_parts(topology, most) : 0;
-    m_left.clear();
-    hold_vertices_of(
-        m_inverted, m_held, most - (std::min)(in_parts, most), [](Vertex_index) { return true; },
-        m_left);
-    std::sort(m_held.begin(), m_held.end()); // nearly a spatial order
-    if (has_parts)
-      take_over_from_parts(topology);
+    std::vector<Held> Part::*held = &Part::held; // in the second division `beside`
+    std::size_t in_parts = 0;
+    work_in_divisions(
+        m_state, [this] { return 2 * m_inverted.size(); },
+        [this](std::size_t i) { return finite_vertex(m_inverted[i / 2]); },
+        [&](const Topology_parts_2& topology) {
+          in_parts += hold_in_parts(topology, most - (std::min)(in_parts, most), held);
+          held = &Part::beside;
+        });
+    hold_beside_parts(most - (std::min)(in_parts, most));
+    if (held == &Part::held)
+      std::sort(m_held.begin(), m_held.end()); // nearly a spatial order
+    else
+      take_over_from_parts(Topology_parts_2(m_state));
     return m_inverted.empty() && m_left.empty() && m_held.size() <= most;
   }
 
@@ -104,13 +111,24 @@ public:
   //
   // Leaves alone the vertices on the hull, which might break it, and those that go far: moving them
   // through the faces on their way would cost more than to take them out.
-  template <class Flip>
-  bool release(const Flip& flip)
+  //
+  // If they are many, calls `in_parts(topology)` before, which has to call release_in_part() for
+  // all parts.
+  template <class In_parts, class Flip>
+  bool release(const In_parts& in_parts, const Flip& flip)
   {
-    m_waiting.clear();
-    for (std::size_t i = 0; i < m_held.size(); ++i)
-      if (m_held[i].share == untried)
-        m_waiting.push_back(i);
+    constexpr std::size_t pieces = 4; // of work: a vertex and the flips around it
+    list_waiting();
+    work_in_divisions(
+        m_state, [this] { return pieces * m_waiting.size(); },
+        [this](std::size_t i) { return m_held[m_waiting[i / pieces]].vertex; },
+        [&](const Topology_parts_2& topology) {
+          m_divided_waiting.template divide<Parts>(
+              m_waiting, topology.number(),
+              [&](std::size_t i) { return topology.part_of(m_held[m_waiting[i]].vertex); });
+          in_parts(topology);
+          list_waiting();
+        });
     for (std::size_t n = 0; n < m_waiting.size(); ++n) {
       prefetch_stars(n, m_waiting.size(), [this](std::size_t i) { return m_waiting[i]; });
       Held& held = m_held[m_waiting[n]];
@@ -119,22 +137,24 @@ public:
       if (!m_changed.empty())
         flip(m_changed);
     }
-    std::size_t kept = 0;
-    bool has_any_moved = false;
-    for (Held& held : m_held) {
-      has_any_moved |= held.share > 0;
-      if (held.share == 1) {
-        m_bonds[held.vertex] = Bond::FREE;
-      } else {
-        held.share = untried;
-        m_held[kept++] = held;
-      }
-    }
-    m_held.erase(m_held.begin() + std::ptrdiff_t(kept), m_held.end());
+    const bool has_any_moved =
+        std::any_of(m_held.begin(), m_held.end(), [](const Held& held) { return held.share > 0; });
+    m_kept.clear();
+    append_by_parts<Parts>(m_held.size(), Parts::size_for(8), m_kept,
+                           [&](std::size_t i, std::size_t beyond, std::vector<Held>& kept) {
+                             for (; i < beyond; ++i)
+                               if (m_held[i].share == 1)
+                                 m_bonds[m_held[i].vertex] = Bond::FREE;
+                               else {
+                                 kept.push_back(m_held[i]);
+                                 kept.back().share = untried;
+                               }
+                           });
+    m_held.swap(m_kept);
     return has_any_moved;
   }
 
-  // Moves on those whose stars are inside of the part; then release() moves the others, and counts
+  // Moves on those whose stars are inside of the part; release() moves the others, and counts
   // these. Those that cannot move wait for the next round: to try all of them again at once, one
   // after the other, took 4 percent of the time of a frame of 1,000,000 points with steps of 0.1
   // spacings, and 6 on a torus. Threads may do so at the same time, each in another part.
@@ -142,10 +162,11 @@ public:
   void release_in_part(const Topology_parts_2& topology, std::size_t part, const Flip& flip)
   {
     std::vector<Edge_index> changed;
-    const std::size_t beyond = place_in_order(topology.begin(part + 1));
-    for (std::size_t i = place_in_order(topology.begin(part)); i < beyond; ++i) {
-      prefetch_stars(i, beyond, itself);
-      Held& held = m_held[i];
+    const Index* const waiting = m_divided_waiting.begin(part);
+    const std::size_t number = m_divided_waiting.size(part);
+    for (std::size_t i = 0; i < number; ++i) {
+      prefetch_stars(i, number, [&](std::size_t k) { return waiting[k]; });
+      Held& held = m_held[waiting[i]];
       if (is_to_be_taken_out(held) || !topology.has_star(part, held.vertex))
         continue;
       held.share = move_in_star(held);
@@ -171,9 +192,10 @@ public:
   // Puts all held vertices at their targets, whatever that does to faces.
   void let_go()
   {
-    for (Part& part : m_parts) // an exception may have left some there
+    for (Part& part : m_parts) { // an exception may have left some there
       let_go(part.held);
-    let_go(m_beside);
+      let_go(part.beside);
+    }
     let_go(m_held);
   }
 
@@ -205,15 +227,28 @@ private:
     bool operator<(const Held& other) const { return vertex < other.vertex; }
   };
 
+  // What is held in a part of the first division, and in one of the second, beside the first.
   struct Part
   {
-    std::vector<Held> held;
+    std::vector<Held> held, beside;
     std::vector<Face_index> inverted, left;
   };
 
   static std::size_t itself(std::size_t i) { return i; }
 
-  static constexpr std::size_t least_of_part = (std::max)(Parts::usual_size / 64, std::size_t(1));
+  static constexpr std::size_t least_of_part = Parts::size_for(256);
+
+  // Lists those that this round of release() has not tried.
+  void list_waiting()
+  {
+    m_waiting.clear();
+    append_by_parts<Parts>(m_held.size(), Parts::size_for(8), m_waiting,
+                           [&](std::size_t i, std::size_t beyond, std::vector<Index>& waiting) {
+                             for (; i < beyond; ++i)
+                               if (m_held[i].share == untried)
+                                 waiting.push_back(Index(i));
+                           });
+  }
 
   void let_go(std::vector<Held>& all)
   {
@@ -305,13 +340,24 @@ private:
   void peel()
   {
     const auto& arrays = m_state.arrays();
-    for (std::size_t i = 0; i < m_inverted.size(); ++i)
-      if (const Halfedge_index h = m_hull_flips.edge_left_through(m_inverted[i]); h != null_index) {
-        const Halfedge_index left = arrays.twin(Arrays::next(h)),
-                             right = arrays.twin(Arrays::previous(h));
+    std::vector<Face_index> faces;
+    append_by_parts<Parts>(m_inverted.size(), least_of_part, faces,
+                           [&](std::size_t i, std::size_t beyond, std::vector<Face_index>& some) {
+                             std::copy_if(m_inverted.data() + i, m_inverted.data() + beyond,
+                                          std::back_inserter(some), [&](Face_index f) {
+                                            return m_hull_flips.edge_left_through(f) != null_index;
+                                          });
+                           });
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      if (const Halfedge_index h = m_hull_flips.edge_left_through(faces[i]); h != null_index) {
+        const std::array<Face_index, 2> behind{Arrays::face_of(arrays.twin(Arrays::next(h))),
+                                               Arrays::face_of(arrays.twin(Arrays::previous(h)))};
         m_hull_flips.flip(h, m_peeled);
-        add_if_inverted(Arrays::face_of(left), m_inverted);
-        add_if_inverted(Arrays::face_of(right), m_inverted);
+        for (const Face_index f : behind)
+          if (!is_right(f)) {
+            m_inverted.push_back(f);
+            faces.push_back(f);
+          }
       }
   }
 
@@ -351,62 +397,65 @@ private:
 
   // Holds vertices whose stars are inside of a part, in lists of the parts. Threads share the
   // parts. Leaves the faces that are not right even so. Returns the number of these vertices.
-  std::size_t hold_in_parts(const Topology_parts_2& topology, std::size_t most)
+  std::size_t hold_in_parts(const Topology_parts_2& topology, std::size_t most,
+                            std::vector<Held> Part::*held)
   {
     m_parts.resize((std::max)(m_parts.size(), topology.number()));
-    for (Part& part : m_parts) { // an exception may have left some
+    for (Part& part : m_parts) { // other divisions may have left some
       part.inverted.clear();
       part.left.clear();
     }
-    for_each_with_part<Parts>(
-        m_inverted.size(), m_part_of_face,
-        [&](std::size_t i) { return topology.part_of(finite_vertex(m_inverted[i])); },
-        [&](std::size_t i, std::size_t part) { m_parts[part].inverted.push_back(m_inverted[i]); });
-    m_inverted.clear();
+    m_divided_faces.template divide<Parts>(m_inverted, topology.number(), [&](std::size_t i) {
+      return topology.part_of(finite_vertex(m_inverted[i]));
+    });
     Parts::run(topology.number(), [&](std::size_t part) {
       const auto may_hold = [&](Vertex_index v) { return topology.has_star(part, v); };
       Part& mine = m_parts[part];
-      hold_vertices_of(mine.inverted, mine.held, 4 * most / topology.number(), may_hold, mine.left);
-      std::sort(mine.held.begin(), mine.held.end());
+      mine.inverted.assign(m_divided_faces.begin(part), m_divided_faces.end(part));
+      hold_vertices_of(mine.inverted, mine.*held, 4 * most / topology.number(), may_hold,
+                       mine.left);
+      std::sort((mine.*held).begin(), (mine.*held).end());
     });
+    m_inverted.clear();
     std::size_t number = 0;
-    for (Part& part : m_parts) {
-      number += part.held.size();
-      for (std::vector<Face_index>* faces : {&part.inverted, &part.left}) {
+    for (const Part& part : m_parts) {
+      number += (part.*held).size();
+      for (const std::vector<Face_index>* faces : {&part.inverted, &part.left})
         m_inverted.insert(m_inverted.end(), faces->begin(), faces->end());
-        faces->clear();
-      }
     }
     return number;
+  }
+
+  // Holds vertices that no part of the first division has, at most so many more than in parts.
+  void hold_beside_parts(std::size_t most)
+  {
+    for (Part& part : m_parts) {
+      m_held.insert(m_held.end(), part.beside.begin(), part.beside.end());
+      part.beside.clear();
+    }
+    m_left.clear();
+    hold_vertices_of(
+        m_inverted, m_held, most + m_held.size(), [](Vertex_index) { return true; }, m_left);
   }
 
   // Merges the lists of the parts with the vertices that are held beside them. Threads share the
   // parts.
   void take_over_from_parts(const Topology_parts_2& topology)
   {
-    std::array<std::size_t, Topology_parts_2::max_number + 1> begins{}, beside{};
-    for (std::size_t part = 0; part < topology.number(); ++part) {
-      beside[part + 1] = place_in_order(topology.begin(part + 1));
-      begins[part + 1] = begins[part] + m_parts[part].held.size() + beside[part + 1] - beside[part];
-    }
-    m_beside.swap(m_held);
-    m_held.resize(begins[topology.number()]);
-    Parts::run(topology.number(), [&](std::size_t part) {
+    const std::size_t parts = topology.number();
+    m_beside.template divide<Parts>(
+        m_held, parts, [&](std::size_t i) { return topology.part_of(m_held[i].vertex); });
+    std::array<std::size_t, Topology_parts_2::max_number + 1> begins{};
+    for (std::size_t part = 0; part < parts; ++part)
+      begins[part + 1] = begins[part] + m_parts[part].held.size() + m_beside.size(part);
+    m_held.resize(begins[parts]);
+    Parts::run(parts, [&](std::size_t part) {
       std::vector<Held>& held = m_parts[part].held;
-      std::merge(held.begin(), held.end(), m_beside.begin() + std::ptrdiff_t(beside[part]),
-                 m_beside.begin() + std::ptrdiff_t(beside[part + 1]),
+      std::sort(m_beside.begin(part), m_beside.end(part));
+      std::merge(held.begin(), held.end(), m_beside.begin(part), m_beside.end(part),
                  m_held.begin() + std::ptrdiff_t(begins[part]));
       held.clear();
     });
-    m_beside.clear();
-  }
-
-  // The first of the held vertices, in ascending order, that is not before v.
-  std::size_t place_in_order(Vertex_index v) const
-  {
-    const auto comes_before = [](const Held& held, Vertex_index w) { return held.vertex < w; };
-    return std::size_t(std::lower_bound(m_held.begin(), m_held.end(), v, comes_before) -
-                       m_held.begin());
   }
 
   // Holds vertices of these faces, and of those around them, until all are right, or `most` are
@@ -566,11 +615,13 @@ private:
   Hull_flips_2<State> m_hull_flips;
   bool m_is_hull_held = false;
   std::vector<Held> m_held;
-  std::vector<std::size_t> m_waiting; // places in m_held
-  std::vector<Bond> m_bonds;          // indexed by vertices; FREE between updates
-  std::vector<Part> m_parts;          // empty outside of hold()
-  std::vector<std::uint8_t> m_part_of_face;
-  std::vector<Held> m_beside;         // held vertices that no part has; empty outside of hold()
+  std::vector<Held> m_kept;     // memory for m_held
+  std::vector<Index> m_waiting; // places in m_held
+  Divided_list<Index> m_divided_waiting;
+  std::vector<Bond> m_bonds; // indexed by vertices; FREE between updates
+  std::vector<Part> m_parts; // hold none outside of hold()
+  Divided_list<Face_index> m_divided_faces;
+  Divided_list<Held> m_beside;        // copies of those that no part of the first division has
   std::vector<Face_index> m_inverted; // faces that may be inverted
   std::vector<Face_index> m_left;     // inverted faces, none of whose vertices can be held
   std::vector<Edge_index> m_peeled;   // hull edges that were flipped, and edges around them

@@ -8,14 +8,15 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Spatial_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Edge_test_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Divided_list.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -38,7 +39,16 @@ public:
     // cycle. Recorded motion took at most 3 flips per initial edge.
     const std::size_t limit = (std::min)(100 + 20 * open.size(), most);
     m_work.not_flippable.clear();
-    std::size_t flips = run_in_parts(state, editor, open, faces_tile_hull, limit);
+    std::size_t flips = 0;
+    const auto vertex = [&](std::size_t i) {
+      const Edge_2& edge = state.arrays().edge(open[i]);
+      return edge.source == infinite_index ? edge.target : edge.source;
+    };
+    work_in_divisions(
+        state, [&] { return open.size(); }, vertex,
+        [&](const Topology_parts_2& topology) {
+          flips += run_in_parts(state, editor, topology, open, faces_tile_hull, limit - flips);
+        });
     flips += run_in_series(state, editor, open, faces_tile_hull, limit - flips);
     if (!m_work.not_flippable.empty()) {
       open.insert(open.end(), m_work.not_flippable.begin(), m_work.not_flippable.end());
@@ -98,18 +108,18 @@ public:
   }
 
 private:
-  // `seeds` are the edges to start from, `touched` the edges to examine again, `open` and
-  // `not_flippable` the edges that were not proved. `not_flippable` edges need no second try: no
-  // flip elsewhere makes them flippable, and a flip beside them examines them again.
+  // `touched` are the edges to examine again, `open` and `not_flippable` the edges that were not
+  // proved. `not_flippable` edges need no second try: no flip elsewhere makes them flippable, and a
+  // flip beside them examines them again.
   struct Work
   {
-    std::vector<Edge_index> seeds, touched, sides, open, not_flippable;
+    std::vector<Edge_index> touched, sides, open, not_flippable;
     std::size_t flips = 0;
 
     // What an exception has left of the last run goes, too.
     void clear()
     {
-      for (std::vector<Edge_index>* edges : {&seeds, &touched, &open, &not_flippable})
+      for (std::vector<Edge_index>* edges : {&touched, &open, &not_flippable})
         edges->clear();
       flips = 0;
     }
@@ -128,8 +138,8 @@ private:
     };
     for (std::size_t before = limit; !open.empty() && flips != before;) {
       before = flips;
-      m_work.seeds.swap(open);
-      flip_from_seeds(state, m_work, limit - flips, try_flip);
+      flip_from_seeds(state, open.data(), open.data() + open.size(), limit - flips, try_flip,
+                      m_work);
       open.swap(m_work.open);
       flips += m_work.flips;
       keep_unproved(state, open);
@@ -137,22 +147,19 @@ private:
     return flips;
   }
 
-  // If seeds are many, flips edges that are inside of a part; threads share the parts. Leaves all
-  // other edges in `open`. The parts, and so the result, depend on the triangulation alone.
+  // Flips edges that are inside of a part; threads share the parts. Leaves all other edges in
+  // `open`. The parts, and so the result, depend on the triangulation and `open` alone.
   template <class State, class Editor>
-  std::size_t run_in_parts(const State& state, Editor& editor, std::vector<Edge_index>& open,
-                           bool faces_tile_hull, std::size_t limit)
+  std::size_t run_in_parts(const State& state, Editor& editor, const Topology_parts_2& topology,
+                           std::vector<Edge_index>& open, bool faces_tile_hull, std::size_t limit)
   {
-    const Topology_parts_2 topology(state);
     const std::size_t seeds = open.size();
-    if (seeds == 0 || !topology.are_worth<typename State::Parts>(seeds))
-      return 0;
     divide<typename State::Parts>(topology, open);
     editor.flip_in_parts(topology, faces_tile_hull, limit,
                          [&](std::size_t part, const auto& try_flip) {
-                           Work& work = m_parts[part];
-                           const std::size_t share = limit * work.seeds.size() / seeds;
-                           flip_from_seeds(state, work, share, try_flip);
+                           const std::size_t share = limit * m_seeds.size(part) / seeds;
+                           flip_from_seeds(state, m_seeds.begin(part), m_seeds.end(part), share,
+                                           try_flip, m_parts[part]);
                          });
     return collect_parts(topology.number(), open, m_work.not_flippable);
   }
@@ -182,42 +189,32 @@ private:
     return flips;
   }
 
-  // Moves the edges inside of a part to its seeds; the others remain. Threads find these parts.
+  // Moves the edges inside of a part to its seeds; the others remain.
   template <class Parts>
   void divide(const Topology_parts_2& topology, std::vector<Edge_index>& edges)
   {
-    constexpr std::size_t none = 255;
-    static_assert(Topology_parts_2::max_number < none);
-    clear_parts(topology.number());
-    std::size_t kept = 0;
-    for_each_with_part<Parts>(
-        edges.size(), m_part_of_seed,
-        [&](std::size_t i) {
-          topology.prefetch_some(edges, i);
-          const std::size_t part = topology.part_of(edges[i]);
-          return topology.is_inside(part, edges[i]) ? part : none;
-        },
-        [&](std::size_t i, std::size_t part) {
-          if (part != none)
-            m_parts[part].seeds.push_back(edges[i]);
-          else
-            edges[kept++] = edges[i];
-        });
-    edges.resize(kept);
+    const std::size_t none = topology.number();
+    clear_parts(none);
+    m_seeds.divide<Parts>(edges, none + 1, [&](std::size_t i) {
+      topology.prefetch_some(edges, i);
+      const std::size_t part = topology.part_of(edges[i]);
+      return topology.is_inside(part, edges[i]) ? part : none;
+    });
+    edges.assign(m_seeds.begin(none), m_seeds.end(none));
   }
 
   // Does at most `limit` flips. Examines touched edges at once, while they are in the cache.
   template <class State, class Try_flip>
-  static void flip_from_seeds(const State& state, Work& work, std::size_t limit,
-                              const Try_flip& try_flip)
+  static void flip_from_seeds(const State& state, const Edge_index* seeds, const Edge_index* beyond,
+                              std::size_t limit, const Try_flip& try_flip, Work& work)
   {
     work.open.clear();
     work.touched.clear(); // an exception may have ended the last run
     work.flips = 0;
-    for (std::size_t i = 0; i < work.seeds.size(); ++i) {
+    for (std::ptrdiff_t i = 0; seeds != beyond; ++seeds, ++i) {
       if (i % stretch == 0)
-        prefetch_stretch(state, work.seeds, i);
-      work.touched.push_back(work.seeds[i]);
+        prefetch_stretch(state, seeds, seeds + (std::min)(stretch, beyond - seeds));
+      work.touched.push_back(*seeds);
       flip_touched(state, limit, try_flip, work);
     }
   }
@@ -265,16 +262,12 @@ private:
   // of a flip, at 1,000 with other work between the frames a fifth of it. The last step fetches the
   // positions needed to examine the sides of the new diagonal.
   template <class State>
-  static void prefetch_stretch(const State& state, const std::vector<Edge_index>& seeds,
-                               std::size_t first)
+  static void prefetch_stretch(const State& state, const Edge_index* first,
+                               const Edge_index* beyond)
   {
     const auto& arrays = state.arrays();
     const Position_2* const positions = state.positions().data();
-    const auto for_each_seed = [&](const auto& f) {
-      const std::size_t beyond = (std::min)(first + stretch, seeds.size());
-      for (std::size_t i = first; i < beyond; ++i)
-        f(seeds[i]);
-    };
+    const auto for_each_seed = [&](const auto& f) { std::for_each(first, beyond, f); };
     for_each_seed([&](Edge_index e) { arrays.prefetch_edge(e); });
     for_each_seed([&](Edge_index e) {
       arrays.prefetch_face_at(e);
@@ -290,11 +283,11 @@ private:
     });
   }
 
-  static constexpr std::size_t stretch = 16; // seeds that are fetched together
+  static constexpr std::ptrdiff_t stretch = 16; // seeds that are fetched together
 
   Work m_work;
   std::vector<Work> m_parts;
-  std::vector<std::uint8_t> m_part_of_seed;
+  Divided_list<Edge_index> m_seeds; // of the parts
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

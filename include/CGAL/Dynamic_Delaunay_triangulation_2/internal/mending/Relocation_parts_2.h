@@ -10,13 +10,13 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Point_location_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/mending/Spatial_parts_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Divided_list.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_editor_2.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -82,12 +82,12 @@ public:
   std::size_t put_in(std::vector<Index>& numbers, const Slot_of& slot, const Position_of& position,
                      Vertex_index anywhere, const Put& put)
   {
-    std::size_t steps = 0;
     Index spread = 0;
     const auto begin = [&](const Spatial_parts& parts) {
       spread = Index(4 * m_state.number_of_vertices() / numbers.size());
-      for (std::size_t part = 0; part < number(); ++part)
-        steps += find_start(parts, part, numbers, slot, anywhere);
+      Parts::run(number(), [&](std::size_t part) {
+        m_parts[part].steps += find_start(parts, part, numbers, slot, anywhere);
+      });
     };
     const auto put_in = [&](const Spatial_parts& parts, std::size_t part, Edit& edit, Index i) {
       Part& mine = m_parts[part];
@@ -109,7 +109,8 @@ public:
     };
     std::vector<Slot> none;
     run(numbers, none, position, begin, put_in);
-    for (Part& part : m_parts)
+    std::size_t steps = 0;
+    for (const Part& part : m_parts)
       steps += part.steps;
     return steps;
   }
@@ -120,8 +121,8 @@ private:
 
   struct Part
   {
-    std::vector<Index> places, left; // in the list of those that come or go
-    std::vector<Slot> taken;         // of those that it has taken out
+    std::vector<Index> left; // places in the list of those that come or go
+    std::vector<Slot> taken; // of those that it has taken out
     Star_polygon_2<State> polygon;
     Vertex_index nearby = null_index; // where the next walk starts
     std::size_t steps = 0;
@@ -140,14 +141,20 @@ private:
            const Begin& begin, const Work& work)
   {
     m_parts.resize((std::max)(number(), m_parts.size()));
-    for (Part& part : m_parts)
+    for (Part& part : m_parts) {
+      part.left.clear(); // an exception may have left some
       part.steps = 0;
-    for (unsigned round = 0; round < max_rounds && are_worth(list.size()); ++round) {
+    }
+    // what is left is known to be near borders, and takes longer
+    for (unsigned round = 0;
+         round < max_rounds && are_worth(round == 0 ? list.size() : 2 * list.size()); ++round) {
       m_positions.resize(list.size());
-      Parts::for_each_element(list.size(),
+      Parts::for_each_element(list.size(), Parts::size_for(8),
                               [&](std::size_t i) { m_positions[i] = position(list[i]); });
       const Spatial_parts parts(m_state, m_positions, number(), round);
-      divide(parts);
+      m_places.template divide<Parts>(
+          list.size(), number(), [](std::size_t i) { return Index(i); },
+          [&](std::size_t i) { return parts.part_of(m_positions[i]); });
       begin(parts);
       const auto collect = [&] {
         for (Part& part : m_parts) {
@@ -158,11 +165,13 @@ private:
       try {
         m_editor.edit_in_parts(number(), list.size(), [&](std::size_t part, Edit& edit) {
           Part& mine = m_parts[part];
-          mine.taken.reserve(mine.places.size());
-          for (std::size_t i = 0; i < mine.places.size(); ++i) {
-            prefetch_ahead(list, mine.places, i);
-            if (!work(parts, part, edit, list[mine.places[i]]))
-              mine.left.push_back(mine.places[i]);
+          const Index* const places = m_places.begin(part);
+          const std::size_t size = m_places.size(part);
+          mine.taken.reserve(size);
+          for (std::size_t i = 0; i < size; ++i) {
+            prefetch_ahead(list, places, i, size);
+            if (!work(parts, part, edit, list[places[i]]))
+              mine.left.push_back(places[i]);
           }
         });
       } catch (...) {
@@ -174,35 +183,22 @@ private:
     }
   }
 
-  void prefetch_ahead(const std::vector<Vertex_index>& vertices, const std::vector<Index>& places,
-                      std::size_t first) const
+  void prefetch_ahead(const std::vector<Vertex_index>& vertices, const Index* places,
+                      std::size_t first, std::size_t number) const
   {
-    prefetch_stars(m_state, first, places.size(),
-                   [&](std::size_t i) { return vertices[places[i]]; });
+    prefetch_stars(m_state, first, number, [&](std::size_t i) { return vertices[places[i]]; });
   }
-  static void prefetch_ahead(const std::vector<Index>&, const std::vector<Index>&, std::size_t) {}
-
-  void divide(const Spatial_parts& parts)
-  {
-    m_part_of.resize(m_positions.size());
-    Parts::for_each_element(m_positions.size(), [&](std::size_t i) {
-      m_part_of[i] = std::uint8_t(parts.part_of(m_positions[i]));
-    });
-    for (Part& part : m_parts) {
-      part.places.clear();
-      part.left.clear();
-    }
-    for (std::size_t i = 0; i < m_positions.size(); ++i)
-      m_parts[m_part_of[i]].places.push_back(Index(i));
-  }
+  static void prefetch_ahead(const std::vector<Index>&, const Index*, std::size_t, std::size_t) {}
 
   // Keeps in the list, in its order, what the parts have left.
   template <class Element>
   void keep_left(std::vector<Element>& list)
   {
     m_left.clear();
-    for (const Part& part : m_parts)
+    for (Part& part : m_parts) {
       m_left.insert(m_left.end(), part.left.begin(), part.left.end());
+      part.left.clear();
+    }
     std::sort(m_left.begin(), m_left.end());
     for (std::size_t i = 0; i < m_left.size(); ++i)
       list[i] = list[m_left[i]];
@@ -219,8 +215,8 @@ private:
     Part& mine = m_parts[part];
     mine.nearby = null_index;
     std::size_t steps = 0;
-    for (std::size_t i = 0; i < (std::min)(tries, mine.places.size()); ++i) {
-      const Slot* const s = slot(numbers[mine.places[i]]);
+    for (std::size_t i = 0; i < (std::min)(tries, m_places.size(part)); ++i) {
+      const Slot* const s = slot(numbers[m_places.begin(part)[i]]);
       if (s == nullptr)
         continue;
       const Location location =
@@ -239,7 +235,7 @@ private:
   Editor& m_editor;
   std::vector<Part> m_parts;
   std::vector<Position_2> m_positions; // of the list
-  std::vector<std::uint8_t> m_part_of;
+  Divided_list<Index> m_places;        // in the list
   std::vector<Index> m_left;
 };
 

@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Spatial_order_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Topology_parts_2.h>
 
 #include <algorithm>
 #include <array>
@@ -43,12 +44,15 @@ public:
   {
     lay_grid(positions, round);
     std::array<std::uint32_t, cells> number{};
-    for (const Position_2& p : positions)
-      ++number[cell(p)];
+    std::size_t all = 0;
+    for (std::size_t i = 0; i < positions.size(); i += stride(positions), ++all)
+      ++number[cell(positions[i])];
     static const Curve curve;
-    std::size_t sum = 0;
+    std::size_t sum = 0, part = 0;
     for (const std::uint16_t c : curve.cells_along) {
-      m_part[c] = std::uint8_t(sum * parts / (positions.size() + 1));
+      while ((part + 1) * (all + 1) <= sum * parts)
+        ++part;
+      m_part[c] = std::uint8_t(part);
       sum += number[c];
     }
   }
@@ -92,7 +96,8 @@ private:
   void lay_grid(const std::vector<Position_2>& positions, unsigned round)
   {
     Position_2 low = positions.front(), high = low;
-    for (const Position_2& p : positions) {
+    for (std::size_t i = 0; i < positions.size(); i += stride(positions)) {
+      const Position_2& p = positions[i];
       low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y)};
       high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y)};
     }
@@ -100,6 +105,12 @@ private:
     const double scale = side / (extent + shift);
     m_scale = std::isfinite(scale) ? scale : 0;
     m_low = {low.x - shift, low.y - shift};
+  }
+
+  // Looks at some thousands of the positions.
+  static std::size_t stride(const std::vector<Position_2>& positions)
+  {
+    return 1 + positions.size() / 8192;
   }
 
   std::size_t cell(const Position_2& p) const
@@ -117,6 +128,31 @@ private:
   double m_scale;
   std::array<std::uint8_t, cells> m_part;
 };
+
+// Calls work(topology) for the parts of a triangulation, if threads would gain by sharing so many
+// `pieces()` of work, the i-th of them at vertex(i). If much is left then, calls it again for other
+// parts, which have equal numbers of the pieces that are left, so that their borders are elsewhere.
+template <class State, class Pieces, class Vertex_of, class Work>
+void work_in_divisions(const State& state, const Pieces& pieces, const Vertex_of& vertex,
+                       const Work& work)
+{
+  if (!Topology_parts_2::are_worth(state, pieces()))
+    return;
+  const Topology_parts_2 topology(state);
+  work(topology);
+  const std::size_t left = pieces();
+  if (!Topology_parts_2::are_worth(state, 2 * left)) // each takes longer than most did
+    return;
+  constexpr std::size_t most = 512; // are looked at
+  const auto position = [&](Vertex_index v) {
+    return state.position_in_order(state.positions()[v]);
+  };
+  std::vector<Position_2> positions;
+  for (std::size_t i = 0; i < left; i += 1 + left / most)
+    positions.push_back(position(vertex(i)));
+  const Spatial_parts_2<State> parts(state, positions, topology.number(), 1);
+  work(topology.divided_anew([&](Vertex_index v) { return parts.part_of(position(v)); }));
+}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 

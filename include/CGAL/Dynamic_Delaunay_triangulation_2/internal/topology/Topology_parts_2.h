@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -37,25 +38,43 @@ namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 // thread reads their positions: a vertex of an edge with both ends in another part has these ends
 // as neighbors, and flips inside of parts do not change which vertices of two parts are neighbors.
 //
-// Parts are ranges of vertex numbers. These are close in space as long as the numbers follow a
-// space-filling curve, which face numbers do for a shorter time, because every flip moves faces.
+// Vertices belong to parts by blocks of consecutive numbers. These are close in space as long as
+// the numbers follow a space-filling curve, which face numbers do for a shorter time, because every
+// flip moves faces. In the first division of a triangulation, parts are ranges of numbers. In a
+// second one they are others, so that what the first one leaves between parts is inside of them.
 class Topology_parts_2
 {
 public:
   Topology_parts_2(const Halfedge_arrays_2& arrays, std::size_t vertices, std::size_t parts)
     : m_arrays(arrays)
     , m_number(parts)
-    , m_vertices((vertices + parts - 1) / parts)
+    , m_vertices(vertices)
   {
+    while (vertices >> m_digits >= max_blocks)
+      ++m_digits;
+    m_blocks = (vertices >> m_digits) + 1;
+    for (std::size_t block = 0; block < m_blocks; ++block)
+      m_part[block] = std::uint8_t(block * parts / m_blocks);
   }
 
   // As many parts as suit the size of a triangulation, which alone decides: so equal input gives
   // equal results on any number of threads. Larger parts leave fewer edges between parts.
   template <class State>
   explicit Topology_parts_2(const State& state)
-    : Topology_parts_2(state.arrays(), state.positions().size(),
-                       usual_number<typename State::Parts>(state.arrays().number_of_faces()))
+    : Topology_parts_2(state.arrays(), state.positions().size(), usual_number(state))
   {
+  }
+
+  // As many other parts: part_of(v) is that of the block whose middle vertex is v.
+  template <class Part_of>
+  Topology_parts_2 divided_anew(const Part_of& part_of) const
+  {
+    Topology_parts_2 other(*this);
+    for (std::size_t block = 0; block < m_blocks; ++block) {
+      const std::size_t middle = (block << m_digits) + (std::size_t(1) << m_digits) / 2;
+      other.m_part[block] = std::uint8_t(part_of(Vertex_index((std::min)(middle, m_vertices - 1))));
+    }
+    return other;
   }
 
   static constexpr std::size_t max_number = 32;
@@ -63,18 +82,19 @@ public:
   std::size_t number() const { return m_number; }
 
   // Whether threads would gain by sharing so many pieces of work.
-  template <class Parts>
-  bool are_worth(std::size_t pieces) const
+  template <class State>
+  static bool are_worth(const State& state, std::size_t pieces)
   {
-    return m_number >= Parts::least_shared && pieces >= m_number * (Parts::usual_size / 256);
+    using Parts = typename State::Parts;
+    const std::size_t number = usual_number(state);
+    return number >= Parts::least_shared && pieces > 0 &&
+           pieces >= number * (Parts::usual_size / 256);
   }
 
-  std::size_t part_of(Vertex_index v) const { return v / m_vertices; }
-  // The first vertex of a part.
-  Vertex_index begin(std::size_t part) const { return Vertex_index(part * m_vertices); }
+  std::size_t part_of(Vertex_index v) const { return m_part[v >> m_digits]; }
 
   // Returns the part of the source of edge e.
-  std::size_t part_of(Edge_index e) const { return m_arrays.edge(e).source / m_vertices; }
+  std::size_t part_of(Edge_index e) const { return part_of(m_arrays.edge(e).source); }
 
   bool is_inside(std::size_t part, Edge_index e) const
   {
@@ -103,37 +123,23 @@ public:
   }
 
 private:
-  template <class Parts>
-  static std::size_t usual_number(std::size_t faces)
+  template <class State>
+  static std::size_t usual_number(const State& state)
   {
-    return (std::min)(Parts::number(faces), max_number);
+    return (std::min)(State::Parts::number(state.arrays().number_of_faces()), max_number);
   }
 
-  bool has_vertex(std::size_t part, Vertex_index v) const
-  {
-    return v - part * m_vertices < m_vertices; // false if v is smaller: unsigned, it wraps around
-  }
+  bool has_vertex(std::size_t part, Vertex_index v) const { return part_of(v) == part; }
+
+  static constexpr std::size_t max_blocks = 1 << 10;
 
   const Halfedge_arrays_2& m_arrays;
   const std::size_t m_number;
-  const std::size_t m_vertices; // of a part
+  const std::size_t m_vertices;
+  std::size_t m_blocks;
+  unsigned m_digits = 0;                         // below those of a vertex's block
+  std::array<std::uint8_t, max_blocks> m_part{}; // of each block
 };
-
-// Calls f(i, part_of(i)) for each i below `number`, in this order; threads find the parts before.
-// `numbers` is memory for these.
-template <class Parts, class Part_of, class Function>
-void for_each_with_part(std::size_t number, std::vector<std::uint8_t>& numbers,
-                        const Part_of& part_of, const Function& f)
-{
-  constexpr std::size_t least = (std::max)(Parts::usual_size / 8, std::size_t(1));
-  numbers.resize(number);
-  Parts::for_each(number, least, [&](std::size_t, std::size_t first, std::size_t beyond) {
-    for (std::size_t i = first; i < beyond; ++i)
-      numbers[i] = std::uint8_t(part_of(i));
-  });
-  for (std::size_t i = 0; i < number; ++i)
-    f(i, std::size_t(numbers[i]));
-}
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal
 

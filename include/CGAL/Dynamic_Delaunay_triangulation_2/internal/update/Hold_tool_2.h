@@ -78,13 +78,13 @@ private:
   bool release_once()
   {
     auto& held = m_context.held;
-    const Topology_parts_2 topology(m_context.state);
-    if (topology.are_worth<typename State::Parts>(4 * held.size()))
+    const auto in_parts = [&](const Topology_parts_2& topology) {
       m_flips.flip_beside(topology, held.size(), [&](std::size_t part, const auto& flip) {
         held.release_in_part(topology, part, flip);
       });
+    };
     return held.release(
-        [this](const std::vector<Edge_index>& edges) { m_flips.flip_nearby(edges); });
+        in_parts, [this](const std::vector<Edge_index>& edges) { m_flips.flip_nearby(edges); });
   }
 
   // Where few faces are inverted, flips nearly always right them all, and nothing need be held: at
