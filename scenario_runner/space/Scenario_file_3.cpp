@@ -81,9 +81,8 @@ Particle_description_3 read_particles(const Json_object_reader& reader)
 std::array<bool, 3> periodic_axes(const Json_object_reader& reader)
 {
   const std::string cell =
-      reader.has("cell") ? reader.choice("cell", {"closed", "periodic", "slab"}) : "closed";
-  const bool is_periodic = cell != "closed";
-  return {is_periodic, is_periodic, cell == "periodic"};
+      reader.has("cell") ? reader.choice("cell", {"closed", "periodic", "slab", "wire"}) : "closed";
+  return {cell != "closed", cell == "periodic" || cell == "slab", cell == "periodic"};
 }
 
 Brownian_description_3 read_brownian(const Json_object_reader& reader)

@@ -41,8 +41,8 @@ private:
 };
 
 // Points that start uniformly in a box and take an independent Gaussian step every frame; the sides
-// of the box reflect them, or it is periodic along all of them or two, and they are wrapped into
-// it.
+// of the box reflect them, or it is periodic along all of them, two or one, and they are wrapped
+// there.
 class Brownian_motion_3 : public Simulated_motion_3
 {
 public:

@@ -232,22 +232,33 @@ Rows cells_among_images(const Frame& frame)
 
 // RUNS -------------------------------------------------------------------------------------------
 
-TEST(Run_in_slab, reports_what_it_did)
+// Of a scenario in a cell of this kind.
+void expect_reports(const std::string& scenario, const std::string& cell)
 {
-  const Json report = report_of({"brownian_slab_3", "--frames", "10", "--points", "300"});
-  EXPECT_EQ(report["scenario"], "brownian_slab_3");
+  const Json report = report_of({scenario, "--frames", "10", "--points", "300"});
+  EXPECT_EQ(report["scenario"], scenario);
   EXPECT_EQ(report["dimension"], 3);
-  EXPECT_EQ(report["cell"], "slab");
+  EXPECT_EQ(report["cell"], cell);
   EXPECT_EQ(report["points"], 300);
   EXPECT_EQ(report["certified_frames"], 10);
   EXPECT_EQ(report["valid_frames"], 10);
   EXPECT_GT(report["flips_mean"], 0.0);
   EXPECT_GE(report["static_insert_ns_per_point"], report["static_fastest_ns_per_point"]);
   EXPECT_GT(report["static_fastest_ns_per_point"], 0.0);
-  const Outcome outcome = run_program({"brownian_slab_3", "--frames", "2", "--points", "9"});
+  const Outcome outcome = run_program({scenario, "--frames", "2", "--points", "9"});
   EXPECT_TRUE(outcome.succeeded) << outcome.errors;
-  EXPECT_TRUE(contains(outcome.output, "slab")) << outcome.output;
+  EXPECT_TRUE(contains(outcome.output, cell)) << outcome.output;
   EXPECT_TRUE(contains(outcome.output, "its own triangulation made anew")) << outcome.output;
+}
+
+TEST(Run_in_slab, reports_what_it_did)
+{
+  expect_reports("brownian_slab_3", "slab");
+}
+
+TEST(Run_in_wire, reports_what_it_did)
+{
+  expect_reports("brownian_wire_3", "wire");
 }
 
 TEST(Run_in_slab, takes_all_boundaries_of_lammps)
@@ -406,13 +417,15 @@ TEST(Run_in_slab, takes_a_lattice_of_two_vectors)
 
 TEST(Run_in_slab, lets_a_policy_choose_rebuilds)
 {
-  const auto rebuilds = [](const std::string& policy) {
-    return report_of({"brownian_slab_3", "--points", "200", "--frames", "6", "--policy",
-                      policy})["rebuilds"]
-        .get<int>();
-  };
-  EXPECT_EQ(rebuilds("always_static"), 6);
-  EXPECT_GE(rebuilds("key_frames:3"), 2);
+  for (const char* const scenario : {"brownian_slab_3", "brownian_wire_3"}) {
+    const auto rebuilds = [scenario](const std::string& policy) {
+      return report_of(
+                 {scenario, "--points", "200", "--frames", "6", "--policy", policy})["rebuilds"]
+          .get<int>();
+    };
+    EXPECT_EQ(rebuilds("always_static"), 6);
+    EXPECT_GE(rebuilds("key_frames:3"), 2);
+  }
 }
 
 TEST(Run_in_slab, is_in_the_plane_too)
@@ -514,12 +527,15 @@ TEST(Refused_in_slab, are_bounds_that_are_turned_where_they_are_periodic)
 
 TEST(Refused_in_slab, is_what_is_for_the_plane)
 {
-  for (const std::string option : {"--html", "--svg"}) {
-    const Outcome outcome =
-        run_program({"brownian_slab_3", "--points", "20", option, temporary_path("out")});
-    EXPECT_FALSE(outcome.succeeded);
-    EXPECT_TRUE(contains(outcome.errors, option + ": is for the plane, and the motion is in space"))
-        << outcome.errors;
+  for (const char* const scenario : {"brownian_slab_3", "brownian_wire_3"}) {
+    for (const std::string option : {"--html", "--svg"}) {
+      const Outcome outcome =
+          run_program({scenario, "--points", "20", option, temporary_path("out")});
+      EXPECT_FALSE(outcome.succeeded);
+      EXPECT_TRUE(
+          contains(outcome.errors, option + ": is for the plane, and the motion is in space"))
+          << outcome.errors;
+    }
   }
 }
 
@@ -556,6 +572,10 @@ TEST(Files_in_slab, are_read_as_the_same_motion)
       {"brownian_slab_3", "--points", "9", "--frames", "1", "--xyz", xyz, "--lammps", dump});
   EXPECT_TRUE(contains(content_of(dump), "ITEM: BOX BOUNDS pp pp ff\n0 1\n0 1\n0 1\n"));
   EXPECT_TRUE(contains(content_of(xyz), "pbc=\"T T F\""));
+  run_quietly(
+      {"brownian_wire_3", "--points", "9", "--frames", "1", "--xyz", xyz, "--lammps", dump});
+  EXPECT_TRUE(contains(content_of(dump), "ITEM: BOX BOUNDS pp ff ff\n0 1\n0 1\n0 1\n"));
+  EXPECT_TRUE(contains(content_of(xyz), "pbc=\"T F F\""));
 }
 
 using Grid = boost::property_tree::ptree;
@@ -622,38 +642,52 @@ TEST(Files_in_slab, have_tetrahedra_that_fill_the_layer)
 TEST(Files_in_slab, have_a_row_for_each_frame)
 {
   const std::string path = temporary_path("frames.csv");
-  run_quietly({"brownian_slab_3", "--frames", "5", "--points", "50", "--csv", path});
-  EXPECT_EQ(number_of_lines(content_of(path)), 6u);
+  for (const char* const scenario : {"brownian_slab_3", "brownian_wire_3"}) {
+    run_quietly({scenario, "--frames", "5", "--points", "50", "--csv", path});
+    EXPECT_EQ(number_of_lines(content_of(path)), 6u);
+  }
 }
 
 // SCENARIOS --------------------------------------------------------------------------------------
 
-TEST(Scenario_in_slab, wraps_its_points_along_two_axes)
+// Points have to stay in the cell's box. Returns along which axes some have jumped: reflected ones
+// take no longer steps.
+std::array<bool, 3> wrapped_axes(const std::string& kind)
 {
   const std::string text =
-      R"({"dimension": 3, "name": "b", "kind": "brownian", "seed": 1, "frames": 9, "time_step": 2,
-          "points": 20, "box": [1, 2, 3], "cell": "slab"})";
+      R"({"dimension": 3, "name": "b", "kind": "brownian", "seed": 1, "frames": 9, "time_step": 0.2,
+          "points": 20, "box": [2, 3, 4], "cell": ")" +
+      kind + "\"}";
   const scenario::Opened_motion motion =
       scenario::open_any_motion(write_file("b.json", text), {}, {}, std::nullopt);
-  ASSERT_TRUE(motion.in_space);
+  EXPECT_TRUE(motion.in_space);
   EXPECT_FALSE(motion.in_space->box());
   const Cell_3 cell = *motion.in_space->cell();
-  EXPECT_TRUE(cell.is_slab());
-  EXPECT_EQ(cell.sides_of_slab(), (std::array<std::size_t, 2>{0, 1}));
-  EXPECT_EQ(cell.area_of_slab(), 2.0);
-  bool has_jumped = false; // along z points are reflected, and take no longer steps
-  for (int frame = 0; frame != 20; ++frame) {
+  EXPECT_EQ(cell.kind(), kind);
+  std::array<bool, 3> have_jumped{};
+  for (int frame = 0; frame != 40; ++frame) {
     const std::vector<Point_3> before = motion.in_space->points();
     motion.in_space->advance({});
     for (std::size_t i = 0; i != before.size(); ++i) {
       for (std::size_t axis = 0; axis != 3; ++axis) {
-        const double place = motion.in_space->points()[i][axis];
-        EXPECT_TRUE(place >= 0.0 && place <= cell.sides[axis][axis]);
+        const double place = motion.in_space->points()[i][axis], side = cell.sides[axis][axis];
+        EXPECT_TRUE(place >= 0.0 && place <= side);
+        have_jumped[axis] = have_jumped[axis] || std::abs(place - before[i][axis]) > 0.75 * side;
       }
-      has_jumped = has_jumped || std::abs(motion.in_space->points()[i][0] - before[i][0]) > 0.5;
     }
   }
-  EXPECT_TRUE(has_jumped);
+  EXPECT_EQ(have_jumped, cell.is_periodic);
+  return have_jumped;
+}
+
+TEST(Scenario_in_slab, wraps_its_points_along_two_axes)
+{
+  EXPECT_EQ(wrapped_axes("slab"), (std::array<bool, 3>{true, true, false}));
+}
+
+TEST(Scenario_in_wire, wraps_its_points_along_one_axis)
+{
+  EXPECT_EQ(wrapped_axes("wire"), (std::array<bool, 3>{true, false, false}));
 }
 
 } // namespace
