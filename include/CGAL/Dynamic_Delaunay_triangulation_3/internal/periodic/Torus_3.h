@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_shift_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/walls/Rounded_normal_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_cell_3.h>
 #include <CGAL/number_type_basic.h>
 #include <CGAL/Number_types/internal/Exact_type_selector.h>
@@ -135,6 +136,8 @@ public:
   int dimension() const { return m_cell.dimension(); }
   const Position_3& vector(int i) const { return m_vectors[std::size_t(i)]; }
   const Exact_vector_3& exact_vector(int i) const { return m_exact_vectors[std::size_t(i)]; }
+  // Of a slab, in the direction of the exact third vector.
+  const Rounded_normal_3& normal() const { return m_normal; }
   // That of the cell; of a slab the area of its basis' parallelogram, of a wire its length.
   double volume() const { return std::abs(m_determinant); }
   // The distance between opposite faces of the basis' parallelepiped, or sides of a parallelogram.
@@ -228,6 +231,14 @@ public:
   {
     return dimension() == 3 ? 0 : p.multiples[2] > 0 ? 1 : p.multiples[2] < 0 ? -1 : 0;
   }
+  // True only if four points have one exact coordinate in common: so they are coplanar.
+  bool are_level(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+                 const Torus_point_3& s) const
+  {
+    return is_level([](const Position_3& x) { return x.x; }, 0, p, q, r, s) ||
+           is_level([](const Position_3& x) { return x.y; }, 1, p, q, r, s) ||
+           is_level([](const Position_3& x) { return x.z; }, 2, p, q, r, s);
+  }
   bool coincide(const Torus_point_3& p, const Torus_point_3& q) const
   {
     const Exact_vector_3 v = exact_vector(p, q);
@@ -279,6 +290,21 @@ public:
   }
 
 private:
+  template <class Coordinate>
+  bool is_level(const Coordinate& coordinate, std::size_t axis, const Torus_point_3& p,
+                const Torus_point_3& q, const Torus_point_3& r, const Torus_point_3& s) const
+  {
+    const double level = coordinate(p.base);
+    for (const Torus_point_3* const other : {&q, &r, &s}) {
+      if (coordinate(other->base) != level)
+        return false;
+      for (int i = 0; i < 3; ++i)
+        if (m_goes_along[std::size_t(i)][axis] && other->multiples[i] != p.multiples[i])
+          return false;
+    }
+    return true;
+  }
+
   static Basis unit_basis() { return {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}; }
 
   Torus_3(const Periodic_cell_3& cell, const Basis& basis)
@@ -334,6 +360,8 @@ private:
       }
       m_vectors[i] = {sum[0], sum[1], sum[2]};
       m_exact_vectors[i] = {exact[0], exact[1], exact[2]};
+      for (std::size_t k = 0; k < 3; ++k)
+        m_goes_along[i][k] = !CGAL::is_zero(exact[k]);
       most = (std::max)(most, number);
       for (const double x : sum)
         m_largest = (std::max)(m_largest, std::abs(x));
@@ -353,8 +381,8 @@ private:
   // Of the length 1, where it is rounded.
   void set_normal()
   {
-    const Position_3 normal = cross_product(m_vectors[0], m_vectors[1]);
-    m_vectors[2] = (1 / std::sqrt(squared_length(normal))) * normal;
+    m_normal = Rounded_normal_3::of(m_vectors[0], m_vectors[1], 2 * m_error);
+    m_vectors[2] = m_normal.direction;
     m_exact_vectors[2] = cross(m_exact_vectors[0], m_exact_vectors[1]);
   }
 
@@ -508,6 +536,8 @@ private:
   Basis m_basis; // multiples of the cell's vectors
   std::array<Position_3, 3> m_vectors, m_inverse, m_inverse_of_cell;
   std::array<Exact_vector_3, 3> m_exact_vectors;
+  std::array<std::array<bool, 3>, 3> m_goes_along{}; // whether coordinates of these are not 0
+  Rounded_normal_3 m_normal;
   double m_determinant = 0;
   double m_error = 0, m_largest = 0; // of coordinates of the basis
   double m_near = 0;                 // points with smaller coordinates are in range

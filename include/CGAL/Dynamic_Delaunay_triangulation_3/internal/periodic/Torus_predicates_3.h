@@ -8,10 +8,13 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Cell_filter_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/walls/Rounded_normal_3.h>
 #include <CGAL/enum.h>
 
 #include <boost/config.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
@@ -153,6 +156,13 @@ private:
 // with it are those of `Wire_signs_3`. In the in-sphere determinant of a positive cell all that
 // counts of P is on which side of the plane of a, b and c it is, as above. So the normal of that
 // plane takes the place of n.
+//
+// Their filter. Only the direction of n counts; so a vector g n of the length g of the longest one
+// to a finite point stands for it, off by g times the error of a rounded unit normal
+// (`Rounded_normal_3`). That is below the largest error that the filter of finite points is told:
+// so its bounds hold. In the in-sphere determinant of points that are coplanar the lifting of n
+// gets the factor 0. Points on walls along coordinate planes are found to be coplanar by equal
+// coordinates. So exact numbers are left with what no filter tells, and with walls at other angles.
 class Torus_predicates_3
 {
 public:
@@ -167,13 +177,31 @@ public:
   {
     if (const int sign = filtered_orientation(p.rounded, q.rounded, r.rounded, s.rounded))
       return sign;
-    return exact_orientation(p, q, r, s);
+    return orientation_in_doubt(p, q, r, s);
   }
   // The sign, if positions prove it, which may be rounded, else 0.
   int filtered_orientation(const Position_3& p, const Position_3& q, const Position_3& r,
                            const Position_3& s) const
   {
-    return Filter::orientation(way(p, q), way(p, r), way(p, s), m_squared_error);
+    return filtered_orientation_of(q - p, r - p, s - p, m_squared_error);
+  }
+  // That of three vectors which are off by an error.
+  static int filtered_orientation_of(const Position_3& u, const Position_3& v, const Position_3& w,
+                                     double squared_error)
+  {
+    return Filter::orientation(vector(u), vector(v), vector(w), squared_error);
+  }
+  // Where that is 0.
+  int orientation_in_doubt(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+                           const Torus_point_3& s) const
+  {
+    const int number = number_at_infinity(p, q, r, s);
+    if (number == 1)
+      if (const int sign = filtered_orientation_at_infinity(p, q, r, s))
+        return sign;
+    if (number == 0 && m_torus.are_level(p, q, r, s))
+      return 0;
+    return exact_orientation(p, q, r, s);
   }
   int exact_orientation(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
                         const Torus_point_3& s) const
@@ -191,13 +219,30 @@ public:
     if (const int sign =
             filtered_side_of_sphere(p.rounded, q.rounded, r.rounded, s.rounded, t.rounded))
       return sign;
-    return exact_side_of_sphere(p, q, r, s, t);
+    return side_of_sphere_in_doubt(p, q, r, s, t);
   }
   // The sign, if positions prove it, which may be rounded, else 0.
   int filtered_side_of_sphere(const Position_3& p, const Position_3& q, const Position_3& r,
                               const Position_3& s, const Position_3& t) const
   {
     return Filter(way(p, q), way(p, r), way(p, s), m_squared_error).side_of_sphere(way(p, t));
+  }
+  // Where that is 0.
+  int side_of_sphere_in_doubt(const Torus_point_3& p, const Torus_point_3& q,
+                              const Torus_point_3& r, const Torus_point_3& s,
+                              const Torus_point_3& t) const
+  {
+    if (is_at_infinity(t))
+      return -1;
+    if (is_at_infinity(p)) // an even permutation
+      return side_of_sphere_in_doubt(q, r, p, s, t);
+    if (number_at_infinity(p, q, r, s) == 1) {
+      if (const int side = side_beyond(p, q, r, s, t))
+        return side;
+      if (const int side = filtered_side_of_circle(p, q, r, s, t))
+        return side;
+    }
+    return exact_side_of_sphere(p, q, r, s, t);
   }
   int exact_side_of_sphere(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
                            const Torus_point_3& s, const Torus_point_3& t) const
@@ -256,13 +301,79 @@ public:
 private:
   using Filter = Torus_filter_in_lanes_3<double>;
 
+  static Points_in_lanes_3<double> vector(const Position_3& v) { return {v.x, v.y, v.z}; }
   static Points_in_lanes_3<double> way(const Position_3& from, const Position_3& to)
   {
-    const Position_3 v = to - from;
-    return {v.x, v.y, v.z};
+    return vector(to - from);
+  }
+  bool is_at_infinity(const Torus_point_3& p) const { return m_torus.end_of_space(p) != 0; }
+  int number_at_infinity(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+                         const Torus_point_3& s) const
+  {
+    return m_torus.dimension() == 3
+               ? 0
+               : is_at_infinity(p) + is_at_infinity(q) + is_at_infinity(r) + is_at_infinity(s);
+  }
+  // Vectors from a point to three others, rounded; one of these is at infinity.
+  struct Ways
+  {
+    Few<Position_3, 3> to;
+    int infinite, end; // the number of that one, and which end of space it is
+
+    // Those to the others, in an order that keeps the orientation.
+    const Position_3& next() const { return to[(infinite + 1) % 3]; }
+    const Position_3& last() const { return to[(infinite + 2) % 3]; }
+  };
+  Ways ways(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
+            const Torus_point_3& s) const
+  {
+    const Few<int, 3> ends{m_torus.end_of_space(q), m_torus.end_of_space(r),
+                           m_torus.end_of_space(s)};
+    const int infinite = ends[0] != 0 ? 0 : ends[1] != 0 ? 1 : 2;
+    return {{q.rounded - p.rounded, r.rounded - p.rounded, s.rounded - p.rounded},
+            infinite,
+            ends[infinite]};
+  }
+  // Puts a vector along a normal, of the length g, in the place of the one to infinity. Returns the
+  // square of the largest error of all.
+  double put_normal(Ways& ways, const Rounded_normal_3& normal, double squared_g) const
+  {
+    ways.to[ways.infinite] = ways.end * std::sqrt(squared_g) * normal.direction;
+    return (std::max)(m_squared_error, 1.1 * squared_g * normal.error * normal.error);
   }
 
-  bool is_at_infinity(const Torus_point_3& p) const { return m_torus.end_of_space(p) != 0; }
+  // The sign for one point at infinity, if it is proved, else 0; in a wire always 0, as such a
+  // point has no place there.
+  int filtered_orientation_at_infinity(const Torus_point_3& p, const Torus_point_3& q,
+                                       const Torus_point_3& r, const Torus_point_3& s) const
+  {
+    if (m_torus.is_wire())
+      return 0;
+    if (is_at_infinity(p))
+      return -filtered_orientation_at_infinity(q, p, r, s);
+    Ways w = ways(p, q, r, s);
+    const double squared_g = (std::max)(squared_length(w.next()), squared_length(w.last()));
+    const double squared_error = put_normal(w, m_torus.normal(), squared_g);
+    return filtered_orientation_of(w.to[0], w.to[1], w.to[2], squared_error);
+  }
+  // 1 if t is inside of the circle of three points, -1 if it is outside, where it is in their plane
+  // and one of q, r and s is at infinity; 0 if that is not proved.
+  int filtered_side_of_circle(const Torus_point_3& p, const Torus_point_3& q,
+                              const Torus_point_3& r, const Torus_point_3& s,
+                              const Torus_point_3& t) const
+  {
+    Ways w = ways(p, q, r, s);
+    const Position_3 e = t.rounded - p.rounded;
+    const double squared_g =
+        (std::max)({squared_length(w.next()), squared_length(w.last()), squared_length(e)});
+    const Rounded_normal_3 normal =
+        m_torus.is_wire() ? Rounded_normal_3::of(w.next(), w.last(), std::sqrt(m_squared_error))
+                          : m_torus.normal();
+    const double squared_error = put_normal(w, normal, squared_g);
+    return Filter(vector(w.to[0]), vector(w.to[1]), vector(w.to[2]), squared_error)
+        .side_of_sphere(vector(e));
+  }
+
   // The vector from one point to another, or along the way to one at infinity.
   Exact_vector_3 exact_way(const Torus_point_3& from, const Torus_point_3& to) const
   {

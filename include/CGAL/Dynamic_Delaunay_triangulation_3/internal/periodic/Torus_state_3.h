@@ -524,7 +524,7 @@ public:
     if (m_state.torus.is_wire())
       if (const int place = infinite_place(s); place < 4)
         return m_in_wire.of(hull_facet(s, place));
-    return m_predicates.exact_orientation(point(s[0]), point(s[1]), point(s[2]), point(s[3]));
+    return m_predicates.orientation_in_doubt(point(s[0]), point(s[1]), point(s[2]), point(s[3]));
   }
   bool is_positive(const Torus_sites_3& s) const { return of(s) > 0; }
 
@@ -559,8 +559,8 @@ public:
     if (m_state.torus.is_wire())
       if (const int sign = side_between_lines(s, other))
         return sign;
-    return m_predicates.exact_side_of_sphere(point(s[0]), point(s[1]), point(s[2]), point(s[3]),
-                                             point(other));
+    return m_predicates.side_of_sphere_in_doubt(point(s[0]), point(s[1]), point(s[2]), point(s[3]),
+                                                point(other));
   }
 
 private:

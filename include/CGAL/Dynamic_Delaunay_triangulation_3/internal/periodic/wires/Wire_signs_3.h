@@ -26,6 +26,13 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //   a^2 n * x' = a^2 n * (x - o) - (a * (x - o)) (n * a)
 // with the vector a of the wire; where n * a = 0, as for all facets of a convex hull, this is a^2
 // times the orientation of o and the facet.
+//
+// The filter. With edges v and w of the facet, n * x' is the determinant of v, w and x', which that
+// of cells decides, for vectors that are off by an error. Let u = 2^-53, y = x - o, and E the bound
+// for vectors between images, which is one for y, too. The vector a is exact. Its product with the
+// inverse 1 / a^2, rounded 3 + 1 + 1 times, times y, rounded 3 times and once as y, is the height
+// of y in units of |a|, up to 9.1 u |y| / |a|. One rounding more in each product with a, and one of
+// the difference from y, leave x' with an error of E + 12 u |y|.
 template <class State>
 class Wire_signs_3
 {
@@ -41,6 +48,32 @@ public:
   {
     if (m_state.has_origin && has_images_of_one(f))
       return m_predicates.orientation(origin(), point(f[0]), point(f[1]), point(f[2]));
+    if (const int sign = filtered(f))
+      return sign;
+    return exact(f);
+  }
+  // 1 if rounded positions prove that the cell is positive, -1 if that it is not, else 0.
+  int filtered(const Torus_facet_3& f) const
+  {
+    if (!m_state.has_origin)
+      return 0;
+    const Position_3 p = m_state.position(f[0]);
+    const Position_3 v = m_state.position(f[1]) - p, w = m_state.position(f[2]) - p;
+    int positive = 0;
+    for (const Torus_site_3& s : f) {
+      const Position_3 y = m_state.position(s) - m_state.origin;
+      const Position_3 across = y - m_state.torus.fractions(y).x * m_state.torus.vector(0);
+      const double squared_error =
+          2.2 * m_state.squared_error + square_of_roundings * squared_length(y);
+      const int sign = m_predicates.filtered_orientation_of(v, w, across, squared_error);
+      if (sign < 0)
+        return -1;
+      positive += sign;
+    }
+    return int(positive == 3);
+  }
+  int exact(const Torus_facet_3& f) const
+  {
     const Exact_vector_3 w[] = {from_axis(f[0]), from_axis(f[1]), from_axis(f[2])};
     const Exact_vector_3 a = m_state.torus.exact_vector(0), n = normal(f);
     const Exact_number_3 along = dot(n, a);
@@ -98,6 +131,8 @@ public:
   }
 
 private:
+  static constexpr double square_of_roundings = 4e-30; // 2 * (12 * 2^-53)^2, and a tenth more
+
   Torus_point_3 origin() const
   {
     const Position_3& o = m_state.origin;
