@@ -74,7 +74,8 @@ public:
     covered.clear();
     m_state.arrays.reset(vertices + 1);
     m_state.spans_space = vertices > 0;
-    for (std::size_t number = few; vertices > 0; number *= 8) {
+    bool is_second_try = false; // with those that could not be inserted before
+    for (std::size_t number = few; vertices > 0; number *= is_second_try ? 1 : 8) {
       covered.clear();
       if (m_state.torus.is_slab())
         bring_outermost_to_front(order, number / 8);
@@ -82,6 +83,7 @@ public:
         number =
             (std::max)(number, 2 * Wire_outside_3<State>(m_state).bring_to_front(order, number));
       if (!triangulate_with_images(order, (std::min)(number, std::size_t(vertices)), covered)) {
+        is_second_try = false;
         if (number < vertices)
           continue;
         m_state.spans_space = false;
@@ -90,6 +92,9 @@ public:
       }
       if (insert_from(order, number, covered))
         break;
+      is_second_try = !is_second_try && m_left.size() < number / 8;
+      if (is_second_try)
+        bring_left_to_front(order);
     }
     m_state.arrays.close_gaps();
     m_state.arrays.sort_cells();
@@ -119,6 +124,14 @@ private:
     std::stable_partition(order.begin(), order.end(),
                           [&](Vertex_index v) { return is_outermost[v] != 0; });
   }
+  void bring_left_to_front(std::vector<Vertex_index>& order) const
+  {
+    Column<Vertex_index, char> is_left(m_state.positions.number(), 0);
+    for (const Vertex_index v : m_left)
+      is_left[v] = 1;
+    std::stable_partition(order.begin(), order.end(),
+                          [&](Vertex_index v) { return is_left[v] != 0; });
+  }
   struct Elevation
   {
     double rounded;
@@ -143,20 +156,27 @@ private:
     return found;
   }
 
-  // Inserts vertices from some place in the order on. False if one is in its own way.
+  // Inserts vertices from some place in the order on. Those that are in their own way, as where
+  // cells are still large, are tried again when all others are there. False if some remain.
   bool insert_from(const std::vector<Vertex_index>& order, std::size_t first, Covered& covered)
   {
-    if (first >= order.size())
+    m_left.assign(order.begin() + std::ptrdiff_t((std::min)(first, order.size())), order.end());
+    if (m_left.empty())
       return true;
     m_insertion.start_at(Arrays::cell_of(m_state.arrays.corner_of(m_seeds.front())));
-    for (std::size_t i = first; i < order.size(); ++i) {
-      const std::optional<Vertex_index> other = m_insertion.insert(order[i]);
-      if (!other)
-        return false;
-      if (*other != null_index)
-        covered.emplace_back(order[i], *other);
+    for (std::size_t before = m_left.size() + 1; m_left.size() < before;) {
+      before = m_left.size();
+      std::size_t kept = 0;
+      for (const Vertex_index v : m_left) {
+        const std::optional<Vertex_index> other = m_insertion.insert(v);
+        if (!other)
+          m_left[kept++] = v;
+        else if (*other != null_index)
+          covered.emplace_back(v, *other);
+      }
+      m_left.resize(kept);
     }
-    return true;
+    return m_left.empty();
   }
 
   // Triangulates the first so many vertices. Those that coincide are left out in a second attempt.
@@ -379,6 +399,7 @@ private:
   Torus_signs_3<State> m_signs;
   Insertion m_insertion;
   std::vector<Vertex_index> m_seeds;
+  std::vector<Vertex_index> m_left; // could not be inserted
   std::vector<Torus_site_3> m_images;
   std::vector<std::size_t> m_hints;
   std::vector<std::pair<Torus_sites_3, Cell_index>> m_classes; // with cells of the patch
