@@ -110,12 +110,14 @@ std::vector<Family> periodic_families()
           periodic("slab_on_grid", 40, {flat, 1, 0.125}),
           periodic("slab_deforming", 60, {film, 1, 0, 2, 12, true}),
           periodic("slab_coincident", 60, {film, 1, 0, 2, 2}),
+          periodic("slab_walls", 150, {flat, 1, 0, 2, 12, false, true}),
           periodic("wire", 40, {wire}),
           periodic("wire_hundreds", 300, {wire}),
           periodic("wire_few", 6, {wire}),
           periodic("wire_on_grid", 40, {duct, 1, 0.125}),
           periodic("wire_deforming", 60, {wire, 1, 0, 2, 12, true}),
-          periodic("wire_coincident", 60, {wire, 1, 0, 2, 2})};
+          periodic("wire_coincident", 60, {wire, 1, 0, 2, 2}),
+          periodic("wire_walls", 150, {duct, 1, 0, 2, 12, false, true})};
 }
 
 const std::vector<Family>& families()

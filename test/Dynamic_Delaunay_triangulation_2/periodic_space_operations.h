@@ -40,6 +40,7 @@ struct Setting
   int far = 2;          // images of points are so many cells away
   int meetings = 12;    // one in so many points comes to an image of another one
   bool deforms = false; // the cell, in most operations
+  bool walls = false;   // most points are on walls across the last axes, of a cell along the others
 };
 
 // A triangulation, the points and the cell that it should have, and what happens to all of them.
@@ -210,7 +211,11 @@ private:
   }
   Point point_at(const Position& p) const
   {
-    return Point(on_grid(p[0]), on_grid(p[1]), on_grid(p[2]));
+    const auto at = [&](std::size_t axis) {
+      const double x = on_grid(p[axis]);
+      return m_setting.walls && axis >= vectors() ? std::clamp(x, 0.0, m_setting.scale) : x;
+    };
+    return Point(at(0), at(1), at(2));
   }
   Point anywhere()
   {

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 // Points on the flat walls of slabs and wires in space: what a filter says of cells with points at
-// infinity.
+// infinity, and how points slide along walls, and leave them.
 
+#include "periodic_space_operations.h"
 #include "periodic_space_oracle.h"
 #include "periodic_space_tested.h"
 
@@ -18,6 +19,7 @@
 #include <cstddef>
 #include <limits>
 #include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -238,6 +240,191 @@ TEST(Predicates_at_walls, see_facets_from_the_axis_of_a_wire_as_exact_numbers_do
   }
   EXPECT_GT(signs[0], 5000);
   EXPECT_GT(signs[2], 500);
+}
+
+// MOTION ------------------------------------------------------------------------------------------
+
+// Random points in a cube that is periodic along some axes; of each of some, one coordinate stays 0
+// or 1.
+class Walled_points
+{
+public:
+  Walled_points(std::size_t number, std::size_t axes, std::size_t sliding)
+    : m_axes(axes)
+    , m_sliding(sliding)
+  {
+    std::uniform_real_distribution<double> share(0, 1);
+    for (std::size_t i = 0; i < number; ++i) {
+      Coordinates x{share(m_random), share(m_random), share(m_random)};
+      if (const std::size_t axis = fixed_axis(i); axis < 3)
+        x[axis] = x[axis] < 0.5 ? 0 : 1;
+      points.emplace_back(x[0], x[1], x[2]);
+    }
+  }
+
+  Cell cell() const { return m_axes == 2 ? square : straight; }
+  void move(double step)
+  {
+    std::normal_distribution<double> way(0, step / std::cbrt(3 * double(points.size())));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      Coordinates x{points[i].x(), points[i].y(), points[i].z()};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        if (axis != fixed_axis(i)) {
+          const double y = x[axis] + way(m_random);
+          x[axis] = axis < m_axes ? y - std::floor(y) : y < 0 ? -y : y > 1 ? 2 - y : y;
+        }
+      points[i] = Point(x[0], x[1], x[2]);
+    }
+  }
+  bool is_sliding(std::size_t i) const { return fixed_axis(i) < 3; }
+
+  Points points;
+
+private:
+  std::size_t fixed_axis(std::size_t i) const
+  {
+    return i % 3 >= m_sliding ? 3 : m_axes == 2 || i % 2 == 0 ? 2 : 1;
+  }
+
+  std::size_t m_axes, m_sliding; // so many of three points slide
+  std::mt19937_64 m_random{1};
+};
+
+void expect_as_fresh(const Dynamic& dt, const Points& points, const Cell& cell)
+{
+  EXPECT_TRUE(dt.is_valid(true));
+  EXPECT_EQ(cells_of(dt), cells_of(Dynamic(points, cell)));
+}
+
+std::size_t rebuilds_of(Walled_points walled, double step, int frames)
+{
+  Dynamic dt(walled.points, walled.cell());
+  std::size_t rebuilds = 0;
+  for (int frame = 0; frame < frames; ++frame) {
+    walled.move(step);
+    rebuilds += dt.update(walled.points).rebuilt();
+    if (frame % 10 == 0)
+      expect_as_fresh(dt, walled.points, walled.cell());
+  }
+  expect_exact(dt, walled.points, walled.cell());
+  return rebuilds;
+}
+
+TEST(Motion_along_walls, of_slabs_is_mended)
+{
+  EXPECT_LE(rebuilds_of(Walled_points(1000, 2, 1), 0.01, 60), 0u);
+  EXPECT_LE(rebuilds_of(Walled_points(1000, 2, 1), 0.05, 60), 2u);
+  EXPECT_LE(rebuilds_of(Walled_points(300, 2, 3), 0.05, 60), 1u);
+  EXPECT_LE(rebuilds_of(Walled_points(5000, 2, 1), 0.1, 30), 0u);
+}
+
+TEST(Motion_along_walls, of_ducts_is_mended)
+{
+  EXPECT_LE(rebuilds_of(Walled_points(1000, 1, 1), 0.01, 60), 0u);
+  EXPECT_LE(rebuilds_of(Walled_points(1000, 1, 1), 0.05, 60), 6u);
+  EXPECT_LE(rebuilds_of(Walled_points(300, 1, 3), 0.05, 60), 12u);
+}
+
+TEST(Motion_along_walls, of_a_layer_is_mended)
+{
+  for (const double step : {0.01, 0.05, 0.1}) {
+    Points points = Walled_points(400, 2, 0).points;
+    for (Point& p : points)
+      p = Point(p.x(), p.y(), 0.25);
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> way(0, step / 20);
+    Dynamic dt(points, square);
+    for (int frame = 0; frame < 40; ++frame) {
+      for (Point& p : points) {
+        const double x = p.x() + way(random), y = p.y() + way(random);
+        p = Point(x - std::floor(x), y - std::floor(y), 0.25);
+      }
+      EXPECT_FALSE(dt.update(points).rebuilt()) << step;
+      if (frame % 10 == 0) {
+        expect_as_fresh(dt, points, square);
+      }
+    }
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, square));
+  }
+}
+
+// POINTS THAT LEAVE WALLS -------------------------------------------------------------------------
+
+// One point in each place of a grid.
+Points rounded_to(double grid, const Points& points)
+{
+  std::set<Point> places;
+  for (const Point& p : points) {
+    const auto rounded = [grid](double x) { return grid * std::floor(x / grid); };
+    places.emplace(rounded(p.x()), rounded(p.y()), rounded(p.z()));
+  }
+  return {places.begin(), places.end()};
+}
+
+// On a grid many are in one circle.
+TEST(Points_on_walls, are_taken_out_without_a_rebuild)
+{
+  for (const double grid : {0x1p-40, 0x1p-4})
+    for (const std::size_t axes : {2u, 1u})
+      for (const std::size_t sliding : {1u, 3u}) {
+        const Walled_points walled(400, axes, sliding);
+        const Points points = rounded_to(grid, walled.points);
+        Dynamic dt(points, walled.cell());
+        std::size_t rebuilds = 0, removals = 0;
+        Points rest;
+        for (std::size_t id = 0; id < points.size(); ++id)
+          if (id % 5 == 0) {
+            rebuilds += dt.remove(id).rebuilt();
+            ++removals;
+          } else
+            rest.push_back(points[id]);
+        EXPECT_LT(8 * rebuilds, removals) << axes << ' ' << sliding << ' ' << grid;
+        EXPECT_TRUE(dt.is_valid(true));
+        const Dynamic fresh(rest, walled.cell());
+        EXPECT_EQ(dt.number_of_edges(), fresh.number_of_edges());
+        EXPECT_EQ(dt.number_of_cells(), fresh.number_of_cells());
+      }
+}
+
+TEST(Points_on_walls, may_jump_along_them_without_a_rebuild)
+{
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> share(0.1, 0.9);
+  for (const std::size_t axes : {2u, 1u}) {
+    Walled_points walled(800, axes, 1);
+    Points& points = walled.points;
+    Dynamic dt(points, walled.cell());
+    std::size_t rebuilds = 0, jumps = 0;
+    for (std::size_t id = 0; id < points.size(); id += 24, ++jumps) {
+      ASSERT_TRUE(walled.is_sliding(id)); // across z
+      points[id] = Point(share(random), share(random), points[id].z());
+      rebuilds += dt.update(points).rebuilt();
+      expect_as_fresh(dt, points, walled.cell());
+    }
+    EXPECT_LT(6 * rebuilds, jumps) << axes;
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, walled.cell()));
+  }
+}
+
+// RANDOM PROGRAMS ---------------------------------------------------------------------------------
+
+TEST(Random_programs_at_walls, lead_to_the_only_triangulation)
+{
+  const std::size_t numbers[] = {3, 20, 60, 150};
+  for (std::size_t seed = 0; seed < 16; ++seed) {
+    periodic_space_operations::Setting setting;
+    setting.cell = seed % 2 == 0 ? square : straight;
+    setting.grid = seed % 4 < 2 ? 0 : 0.125;
+    setting.walls = true;
+    periodic_space_operations::Program<Dynamic> program(std::mt19937_64(seed), setting);
+    program.insert(numbers[seed / 4]);
+    for (int i = 0; i < 12; ++i) {
+      program.do_something();
+      ASSERT_NO_FATAL_FAILURE(program.expect_as_fresh()) << seed << ' ' << i;
+      ASSERT_FALSE(testing::Test::HasFailure()) << seed << ' ' << i;
+    }
+    ASSERT_NO_FATAL_FAILURE(program.expect_exact()) << seed;
+  }
 }
 
 } // namespace test_periodic_space_walls_3

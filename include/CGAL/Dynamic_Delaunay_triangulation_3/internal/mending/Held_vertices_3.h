@@ -422,9 +422,22 @@ private:
     Position_3 wanted = m_previous.position(v) + (motion.has_neighbors ? motion.mean : m_mean);
     if (motion.is_on_hull) { // on a flat one it waits in its plane: out of it, it would be alone
       find_star(work, v);
-      wanted = m_state.along_hull(position(v), wanted, work.star);
+      wanted = along_hull(work, work.held.back(), wanted);
+    } else {
+      wanted = m_state.between_walls(wanted, position(v));
     }
     move(work, v, Place(wanted));
+  }
+  // A place on the hull near to another one, where a vertex may wait whose star has been found.
+  Position_3 along_hull(const Work& work, const Held& held, const Position_3& wanted) const
+  {
+    const Position_3 kept = on_wall(held, wanted);
+    return is_same(kept, wanted) ? m_state.along_hull(position(held.vertex), wanted, work.star)
+                                 : kept;
+  }
+  Position_3 on_wall(const Held& held, const Position_3& wanted) const
+  {
+    return m_state.on_wall(m_previous.position(held.vertex), held.target.position, wanted);
   }
 
   bool can_wait_farther_back(const Held& held) const
@@ -435,7 +448,10 @@ private:
   {
     if (held.waits == Waits::CARRIED) {
       held.waits = Waits::AT_HOME;
-      move(work, held.vertex, home(held.vertex));
+      move(work, held.vertex,
+           motion_of(work, held.vertex).is_on_hull
+               ? Place(on_wall(held, home(held.vertex).position))
+               : Place(m_state.between_walls(home(held.vertex).position, held.target.position)));
       return;
     }
     held.waits = Waits::WHERE_IT_WAS;
@@ -667,7 +683,7 @@ private:
     }
     const Position_3 wanted = home(v).position;
     const Position_3 back = motion_of(m_whole, v).is_on_hull
-                                ? m_state.along_hull(position(v), wanted, m_whole.star)
+                                ? along_hull(m_whole, m_whole.held[m_number[v]], wanted)
                                 : wanted;
     for (const double way : {1.0, 0.5, 0.25}) {
       const Place to(between(from.position, back, way));

@@ -231,6 +231,11 @@ public:
   {
     return dimension() == 3 ? 0 : p.multiples[2] > 0 ? 1 : p.multiples[2] < 0 ? -1 : 0;
   }
+  // Whether space is open along a coordinate axis: no vector of the basis goes along it.
+  bool is_open_along(std::size_t axis) const
+  {
+    return !m_goes_along[0][axis] && !m_goes_along[1][axis] && !m_goes_along[2][axis];
+  }
   // True only if four points have one exact coordinate in common: so they are coplanar.
   bool are_level(const Torus_point_3& p, const Torus_point_3& q, const Torus_point_3& r,
                  const Torus_point_3& s) const

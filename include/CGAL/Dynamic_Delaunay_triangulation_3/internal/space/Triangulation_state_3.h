@@ -100,6 +100,11 @@ public:
   {
     return to;
   }
+  static Position_3 on_wall(const Position_3&, const Position_3&, const Position_3& wanted)
+  {
+    return wanted;
+  }
+  static Position_3 between_walls(const Position_3& wanted, const Position_3&) { return wanted; }
   static constexpr bool goes_on_to_cover_once() { return false; } // a ray says so
 
   explicit Triangulation_state_3(const Traits& geometry = Traits())
