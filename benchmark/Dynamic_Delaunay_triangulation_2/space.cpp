@@ -26,6 +26,13 @@
 // in a periodic cube, as a large set of points. `/CGAL` is the ratio of the medians of the last and
 // the first.
 //
+// `walls` are points in a cell that is repeated in some directions, and has walls in the others,
+// from which they bounce: a `slab`, a round `pipe`, a square `duct`, beside a `cube` without walls;
+// in `slab_walls` and `duct_walls` a third of them slides along the walls, and in a `layer` all do,
+// which are in one plane. They are a tenth as many as elsewhere, in 20 times as many frames, and as
+// many in as many. `open` is as above, `anew` the construction, `/anew` the median of the updates
+// that were rebuilds over that.
+//
 // `out of it` are nanoseconds a point of what comes out of a triangulation, beside the same by
 // CGAL's Delaunay triangulation: lists of all neighbors, volumes of all Voronoi cells (of CGAL's
 // from the circumcenters around each edge; it clips none to a box), and the nearest points of as
@@ -46,6 +53,7 @@
 #include "space/Outcome.h"
 #include "space/Periodic_cases.h"
 #include "space/Thread_cases.h"
+#include "space/Walled_cases.h"
 
 #include <CLI/CLI.hpp>
 
@@ -62,9 +70,9 @@ struct Options
   std::vector<std::size_t> points{10000, 100000};
   std::vector<double> steps{0.0001, 0.001, 0.01, 0.03, 0.1};
   std::vector<double> shares{0.01, 0.05, 0.08, 0.1, 0.2};
-  std::vector<std::string> kinds{"poisson",    "lattice", "ball",    "exact_lattice",
-                                 "slab",       "drift",   "streams", "jumps",
-                                 "population", "threads", "periodic"};
+  std::vector<std::string> kinds{"poisson",    "lattice", "ball",     "exact_lattice",
+                                 "slab",       "drift",   "streams",  "jumps",
+                                 "population", "threads", "periodic", "walls"};
   unsigned threads = 0; // all
   int frames = 0;
 
@@ -101,7 +109,7 @@ void write_frames(const Options& options, std::size_t n)
   table.write_head(std::to_string(n) + " points");
   space::write_construction(table, n);
   for (const std::string& kind : options.kinds) {
-    if (kind == "population" || kind == "threads" || kind == "periodic") {
+    if (kind == "population" || kind == "threads" || kind == "periodic" || kind == "walls") {
       continue;
     }
     for (const double step : options.steps) {
@@ -122,6 +130,24 @@ void write_periodic(const Options& options, std::size_t n)
   for (const std::string kind : {"cube", "triclinic"}) {
     for (const double step : options.steps) {
       space::write_periodic(table, kind, n, step, options.frames_of(n));
+    }
+  }
+}
+
+constexpr std::size_t most_with_walls = 10000; // more cost as much a point, and are seldom rebuilt
+
+void write_walls(const Options& options, std::size_t n)
+{
+  constexpr std::size_t share = 10;
+  constexpr int times = 20;
+  common::Table table = space::walled_table();
+  for (const std::size_t number : {n / share, n}) {
+    table.write_head(std::to_string(number) + " points, walls");
+    for (const std::string& kind : space::walled_kinds()) {
+      for (const double step : options.steps) {
+        space::write_walled(table, kind, number, step,
+                            options.frames_of(n) * (number < n ? times : 1));
+      }
     }
   }
 }
@@ -163,6 +189,9 @@ bool run_space(const Options& options, const std::string& command)
     }
     if (options.has_kind("periodic")) {
       write_periodic(options, n);
+    }
+    if (options.has_kind("walls") && n <= most_with_walls) {
+      write_walls(options, n);
     }
   }
   std::cout << '\n' << command << std::endl;
