@@ -3,11 +3,9 @@
 
 // Triangulations in periodic space of three dimensions, as CGAL's class has them.
 
-#include "space_points.h"
+#include "periodic_space_tested.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/conversions/convert_to_periodic_3_delaunay_triangulation_3.h>
-#include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Periodic_3_Delaunay_triangulation_3.h>
 #include <CGAL/Periodic_3_Delaunay_triangulation_traits_3.h>
 #include <CGAL/Periodic_3_triangulation_ds_cell_base_3.h>
@@ -23,25 +21,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <map>
 #include <random>
 #include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace test_periodic_space_conversion_3 {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_3<Kernel>;
-using Point = Dynamic::Point;
-using Points = std::vector<Point>;
-using Cell = CGAL::Periodic_cell_3;
-using Coordinates = Cell::Coordinates;
-using Shift = CGAL::Periodic_shift_3;
+using namespace periodic_space_tested;
 using space_points::lattice;
-using space_points::random_points;
 
 using Traits = CGAL::Periodic_3_Delaunay_triangulation_traits_3<Kernel>;
 using Vertex_base = CGAL::Triangulation_vertex_base_with_info_3<
@@ -103,15 +92,9 @@ Cells cells_of(const Of_cgal& cgal)
   return cells;
 }
 
-// Few bits, so that wrapping them needs no rounding.
 Points short_points(std::size_t number, unsigned seed)
 {
-  Points points;
-  for (const Point& p : random_points(number, seed))
-    points.emplace_back(std::ldexp(std::floor(std::ldexp(p.x(), 30)), -30),
-                        std::ldexp(std::floor(std::ldexp(p.y(), 30)), -30),
-                        std::ldexp(std::floor(std::ldexp(p.z(), 30)), -30));
-  return points;
+  return short_points_in(Cell(1, 1, 1), number, 1, seed); // wrapping them needs no rounding
 }
 
 // How CGAL's triangulation has come about; where there are ties, it may be either way.
@@ -165,7 +148,7 @@ TEST(Conversion_of_periodic_space, wraps_points_that_have_left_the_cell_into_the
   Points points = short_points(400, 2);
   Dynamic pt(points, Cell(1, 1, 1));
   for (Point& p : points)
-    p = p + Kernel::Vector_3(double(random() % 7) - 3, double(random() % 7) - 3, 2);
+    p = p + Vector(double(random() % 7) - 3, double(random() % 7) - 3, 2);
   pt.update(points);
   for (const Point& corner : {Point(0, 0, 0), Point(-0.5, 0.25, -0.5), Point(17.25, -3, 0)})
     ASSERT_NO_FATAL_FAILURE(expect_right(pt, Way::COPIED, corner));
@@ -175,7 +158,7 @@ TEST(Conversion_of_periodic_space, has_one_vertex_for_points_that_coincide_and_n
 {
   Points points = short_points(300, 4);
   for (std::size_t i = 0; i < 50; ++i)
-    points.push_back(points[i] + Kernel::Vector_3(double(i % 3), -1, 0));
+    points.push_back(points[i] + Vector(double(i % 3), -1, 0));
   Dynamic pt(points, Cell(1, 1, 1));
   for (const std::size_t id : {3u, 77u, 330u})
     pt.remove(id);
@@ -298,9 +281,11 @@ TEST(Conversion_of_periodic_space, refuses_what_CGAL_cannot_represent_and_leaves
                            Cell(Coordinates{1, 0, 0}, {0, 1, 0}, {0, 0x1p-20, 1}),
                            Cell(Coordinates{0.6, 0.8, 0}, {-0.8, 0.6, 0}, {0, 0, 1})})
     expect_refusal<Cell_error>(Dynamic(points, cell), "cube", origin);
+  for (const Kind* kind : {&slab, &wire})
+    expect_refusal<Cell_error>(Dynamic(points, kind->box(1, 1, 1)), "cube", origin);
   const Dynamic pt(points, Cell(1, 1, 1));
   expect_refusal<Error>(pt, "corner", Point(1e-20, 0, 0));
-  expect_refusal<Error>(pt, "corner", Point(0, 0, std::numeric_limits<double>::infinity()));
+  expect_refusal<Error>(pt, "corner", Point(0, 0, infinity));
   expect_refusal<Error>(pt, "wrapped", Point(0x1p50, 0, 0));
   points[7] = Point(-1e-20, 0.5, 0.5);
   expect_refusal<Error>(Dynamic(points, Cell(1, 1, 1)), "point 7", origin);

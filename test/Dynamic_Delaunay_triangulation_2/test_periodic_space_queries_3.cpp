@@ -1,13 +1,11 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Nearest points in periodic space of three dimensions, against a look at all images.
+// Nearest points in tori, slabs and wires in space, against a look at all images.
 
-#include "space_points.h"
+#include "periodic_space_tested.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_point_queries_3.h>
-#include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 
 #include <gtest/gtest.h>
@@ -22,29 +20,21 @@
 #include <random>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace test_periodic_space_queries_3 {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Dynamic = CGAL::Dynamic_periodic_Delaunay_triangulation_3<Kernel>;
+using namespace periodic_space_tested;
+using space_points::lattice;
+
 using Queries = CGAL::Delaunay_point_queries_3<Dynamic>;
-using Point = Dynamic::Point;
-using Points = std::vector<Point>;
-using Cell = CGAL::Periodic_cell_3;
 using Image = Queries::Answer;
 using Images = std::vector<Image>;
 using Exact = CGAL::Exact_rational;
-using space_points::lattice;
-using space_points::random_points;
-using space_points::shaken;
 
-// (g++ 12 warns that pairs, compared as such, may be uninitialized.)
 bool is_before(const Image& a, const Image& b)
 {
-  return std::tie(a.first, a.second[0], a.second[1], a.second[2]) <
-         std::tie(b.first, b.second[0], b.second[1], b.second[2]);
+  return Site_order()(a, b);
 }
 
 // Answers by a look at all images.
@@ -89,13 +79,12 @@ public:
   }
 
 private:
-  using Vector = std::array<double, 3>;
+  std::size_t dimension() const { return std::size_t(m_dt.cell().dimension()); }
 
-  static double dot(const Vector& v, const Vector& w)
-  {
-    return v[0] * w[0] + v[1] * w[1] + v[2] * w[2];
-  }
-  static Vector cross(const Vector& v, const Vector& w)
+  using Row = std::array<double, 3>;
+
+  static double dot(const Row& v, const Row& w) { return v[0] * w[0] + v[1] * w[1] + v[2] * w[2]; }
+  static Row cross(const Row& v, const Row& w)
   {
     return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
   }
@@ -113,10 +102,10 @@ private:
     return sum;
   }
 
-  Vector fractions_of_way(const Point& p, std::size_t id) const
+  Row fractions_of_way(const Point& p, std::size_t id) const
   {
     const Point q = m_dt.point(id);
-    const Vector way{p.x() - q.x(), p.y() - q.y(), p.z() - q.z()};
+    const Row way{p.x() - q.x(), p.y() - q.y(), p.z() - q.z()};
     return {dot(m_inverse[0], way), dot(m_inverse[1], way), dot(m_inverse[2], way)};
   }
 
@@ -125,13 +114,14 @@ private:
   double reach(const Point& p) const
   {
     double least = std::numeric_limits<double>::infinity(), step = least;
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < dimension(); ++i)
       step = (std::min)(step, std::sqrt(dot(m_dt.cell().vector(i), m_dt.cell().vector(i))));
     for (std::size_t id = 0; id < m_dt.number_of_ids(); ++id)
       if (m_dt.has_id(id)) {
-        const Vector f = fractions_of_way(p, id);
-        const Image image(id,
-                          {int(std::lrint(f[0])), int(std::lrint(f[1])), int(std::lrint(f[2]))});
+        const Row fractions = fractions_of_way(p, id);
+        Image image(id, {0, 0, 0});
+        for (std::size_t i = 0; i < dimension(); ++i)
+          image.second[i] = int(std::lrint(fractions[i]));
         least = (std::min)(least, std::sqrt(CGAL::to_double(squared_distance(p, image))));
       }
     return least + step;
@@ -145,9 +135,9 @@ private:
     for (std::size_t id = 0; id < m_dt.number_of_ids(); ++id) {
       if (!m_dt.has_id(id))
         continue;
-      const Vector middle = fractions_of_way(p, id);
-      std::array<int, 3> low, high;
-      for (std::size_t i = 0; i < 3; ++i) {
+      const Row middle = fractions_of_way(p, id);
+      std::array<int, 3> low{0, 0, 0}, high{0, 0, 0};
+      for (std::size_t i = 0; i < dimension(); ++i) {
         const double wide = reach * std::sqrt(dot(m_inverse[i], m_inverse[i])) + 1e-6;
         low[i] = int(std::ceil(middle[i] - wide));
         high[i] = int(std::floor(middle[i] + wide));
@@ -159,7 +149,7 @@ private:
               f(Image(id, {i, j, k}));
     }
   }
-  bool is_near(const Vector& fractions, double reach) const
+  bool is_near(const Row& fractions, double reach) const
   {
     double square = 0, size = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -174,7 +164,7 @@ private:
   }
 
   const Dynamic& m_dt;
-  std::array<Vector, 3> m_inverse;
+  std::array<Row, 3> m_inverse;
 };
 
 Images sorted(Images images)
@@ -225,80 +215,69 @@ void expect_answers(const Dynamic& dt, const Queries& queries, const Points& pla
   }
 }
 
-Point combination(const Cell& cell, double x, double y, double z)
-{
-  const auto& [a, b, c] = std::tie(cell.a(), cell.b(), cell.c());
-  return Point(x * a[0] + y * b[0] + z * c[0], x * a[1] + y * b[1] + z * c[1],
-               x * a[2] + y * b[2] + z * c[2]);
-}
-
-// By fractions of the cell's vectors.
-Points in_cell(const Points& fractions, const Cell& cell)
-{
-  Points points;
-  for (const Point& f : fractions)
-    points.push_back(combination(cell, f.x(), f.y(), f.z()));
-  return points;
-}
-
-const Cell unit(1, 1, 1);
-const Cell triclinic({1.1, 0.03, -0.2}, {0.4, 0.9, 0.1}, {-0.3, 0.45, 1.2});
-const Cell skew({1, 0, 0}, {1.7, 1, 0}, {-1.6, 1.4, 0.8}); // its short basis has other vectors
-const Cell mirrored({0, 1, 0}, {1, 0, 0}, {0.2, 0.3, 0.8});
-const Cell thin(1, 0.9, 0.06);
-
-// In the cell, around it, and far away.
-Points places_around(const Cell& cell, unsigned seed)
+// In the cell, around it, and far away; where space is open never farther than all images can be
+// looked at.
+Points places_around(const Cell& cell, unsigned seed, double thickness = 1)
 {
   std::mt19937_64 random(seed);
   Points places;
   for (const double extent : {1.0, 1.0, 1.0, 3.0, 3.0, 100.0, 1e5}) {
     std::uniform_real_distribution<double> fraction(-extent, extent);
-    const double x = fraction(random), y = fraction(random);
-    places.push_back(combination(cell, x, y, fraction(random)));
+    const double x = fraction(random), y = fraction(random), z = fraction(random);
+    places.push_back(place_in(cell, Point(x, y, z), thickness / (std::max)(1.0, extent / 3)));
   }
   return places;
 }
 
-TEST(Queries_in_periodic_space, find_the_nearest_images_in_any_cell)
+using Queries_in_periodic_space = Of_kind;
+INSTANTIATE_TEST_SUITE_P(kinds, Queries_in_periodic_space, all_kinds(), name_of);
+
+TEST_P(Queries_in_periodic_space, find_the_nearest_images_in_any_cell)
 {
-  for (const Cell* cell : {&unit, &triclinic, &skew, &mirrored, &thin})
-    for (const std::size_t number : {1u, 2u, 3u, 5u, 30u, 200u}) {
-      SCOPED_TRACE(std::to_string(number) + " points");
-      const unsigned seed = unsigned(number);
-      Points points = in_cell(random_points(number, seed), *cell);
-      for (std::size_t i = 0; i < number; i += 3) // some are other images of others
-        points.push_back(points[i] +
-                         (combination(*cell, int(i % 5) - 2, int(i % 2), 0) - CGAL::ORIGIN));
-      Dynamic dt(points, *cell);
-      const Queries queries(dt);
-      const double square = cell == &thin || number > 100 ? 0.04 : 0.5;
-      ASSERT_NO_FATAL_FAILURE(
-          expect_answers(dt, queries, places_around(*cell, seed), {0, square / 20, square}));
-      points = shaken(points, 0.3);
-      dt.update(points);
-      dt.remove(number / 2);
-      ASSERT_NO_FATAL_FAILURE(
-          expect_answers(dt, queries, places_around(*cell, seed + 1), {square}));
-    }
+  for (const Cell& cell : {unit, triclinic, skew, mirrored, kind.box(1, 0.9, 0.06)})
+    for (const std::size_t number : {1u, 2u, 3u, 5u, 30u, 200u})
+      for (const double thickness : {0.0, 1.0}) {
+        if (dimension == 3 && thickness == 0)
+          continue;
+        SCOPED_TRACE(std::to_string(number) + " points");
+        const unsigned seed = unsigned(number);
+        Points points = points_in(cell, number, thickness, seed);
+        if (dimension == 1 && number % 2 == 0) // in a plane along a wire, not in a line
+          points.back() = points.back() + combination(cell, 0, 1, 0);
+        for (std::size_t i = 0; i < number; i += 3) // some are other images of others
+          points.push_back(image(points[i], {int(i % 5) - 2, int(i % 2), 0}, cell));
+        Dynamic dt(points, cell);
+        const Queries queries(dt);
+        const double square = cell.volume() < 0.1 || number > 100 ? 0.04 : dimension == 1 ? 9 : 0.5;
+        ASSERT_NO_FATAL_FAILURE(
+            expect_answers(dt, queries, places_around(cell, seed), {0, square / 20, square}));
+        points = shaken(points, 0.3);
+        dt.update(points);
+        dt.remove(number / 2);
+        ASSERT_NO_FATAL_FAILURE(
+            expect_answers(dt, queries, places_around(cell, seed + 1), {square}));
+      }
 }
 
-TEST(Queries_in_periodic_space, find_all_of_those_that_are_equally_near)
+TEST_P(Queries_in_periodic_space, find_all_of_those_that_are_equally_near)
 {
   for (const int side : {1, 2, 3, 4}) {
-    const Cell cell(side, side, side);
+    const Cell cell = kind.box(side, side, side);
     const Dynamic dt(lattice(side), cell);
     const Queries queries(dt);
-    ASSERT_NO_FATAL_FAILURE(expect_answers(
-        dt, queries,
-        {{0, 0, 0}, {0.5, 0.5, 0.5}, {-0.5, 7.5, 3}, {1, 1.25, 1}, {1e5 + 0.5, -3e4, 0.5}},
-        {0, 0.25, 0.75, 1, 2, 3}));
+    ASSERT_NO_FATAL_FAILURE(expect_answers(dt, queries,
+                                           {{0, 0, 0},
+                                            {0.5, 0.5, 0.5},
+                                            {-0.5, 7.5, 3},
+                                            {1, 1.25, 1},
+                                            image(Point(0.5, 0, 0.5), {100000, -30000, 0}, cell)},
+                                           {0, 0.25, 0.75, 1, 2, 3}));
   }
 }
 
-TEST(Queries_in_periodic_space, follow_points_and_cells_that_move)
+TEST_P(Queries_in_periodic_space, follow_points_and_cells_that_move)
 {
-  Points points = random_points(80, 5);
+  Points points = points_of_cube(80);
   Dynamic dt(points, unit);
   const Queries queries(dt);
   for (int frame = 1; frame <= 20; ++frame) {
@@ -306,7 +285,7 @@ TEST(Queries_in_periodic_space, follow_points_and_cells_that_move)
       p = Point(p.x() + 0.05 * p.y() + 0.3, p.y() + 0.01, p.z() - 0.4);
     double strain = 0.05 * frame;
     strain -= std::round(strain);
-    const Cell cell({1, 0, 0}, {strain, 1, 0}, {0, 0.02 * frame, 1});
+    const Cell cell = kind.cell({1, 0, 0}, {strain, 1, 0}, {0, 0.02 * frame, 1});
     dt.update(points, cell);
     ASSERT_NO_FATAL_FAILURE(
         expect_answers(dt, queries, places_around(cell, unsigned(frame)), {0.03}));
@@ -314,46 +293,48 @@ TEST(Queries_in_periodic_space, follow_points_and_cells_that_move)
 }
 
 // Each coordinate of a point or of a query point is nearly that of a plane between images.
-TEST(Queries_in_periodic_space, are_exact_where_doubles_are_not)
+TEST_P(Queries_in_periodic_space, are_exact_where_doubles_are_not)
 {
   const double little = 0x1p-54;
   const Points points{{0.25, 0.5, 0.5}, {0.75 + 2 * little, 0.5, 0.5}, {0.5, 0.5 - little, 0.125}};
-  for (const Cell& cell : {Cell(1, 1, 1), Cell({0.1, 1, 0}, {1, 1.0 / 3, 0}, {0.3, 0.7, 1})}) {
+  for (const Cell& cell : {unit, kind.cell({0.1, 1, 0}, {1, 1.0 / 3, 0}, {0.3, 0.7, 1})}) {
     const Dynamic dt(points, cell);
     const Queries queries(dt);
     Points places{{0.5, 0.5, 0.5}, {0, 0.5, 0.5}, {0.5 - little, 0.5, 0.3125}, {1e-300, 0, 0}};
     for (int i = 0; i < 40; ++i)
-      places.push_back(combination(cell, i * 0.25 - 3, (i % 5) * 0.5 + 1e4, (i % 3) * 0.5));
+      places.push_back(
+          image(CGAL::ORIGIN + combination(cell, i * 0.25 - 3, (i % 5) * 0.5, (i % 3) * 0.5),
+                {0, 10000, 0}, cell));
     ASSERT_NO_FATAL_FAILURE(expect_answers(dt, queries, places, {0, 0.0625, 0.25}));
   }
 }
 
 // Half way between two images of the only point, as nearly as doubles say.
-TEST(Queries_in_periodic_space, are_exact_far_away)
+TEST_P(Queries_in_periodic_space, are_exact_far_away)
 {
-  for (const Cell* cell : {&triclinic, &skew, &mirrored}) {
-    const Dynamic dt(Points{{0.1, 0.2, 0.3}}, *cell);
+  for (const Cell& cell : {triclinic, skew, mirrored}) {
+    const Point only(0.1, 0.2, 0.3);
+    const Dynamic dt(Points{only}, cell);
     Points places;
     for (int i = 1; i < 40; ++i)
-      for (const int far : {1, 1000, 100000}) {
-        const Point p = combination(*cell, far * i / 40 + 0.5, far * 3, -far * i / 40);
-        places.emplace_back(p.x() + 0.1, p.y() + 0.2, p.z() + 0.3);
-      }
+      for (const int far : {1, 1000, 100000})
+        places.push_back(image(only + combination(cell, 0.5, 0, 0),
+                               {far * i / 40, far * 3, -far * i / 40}, cell));
     ASSERT_NO_FATAL_FAILURE(expect_answers(dt, Queries(dt), places, {0.3}));
   }
 }
 
-TEST(Queries_in_periodic_space, may_be_of_any_scale)
+TEST_P(Queries_in_periodic_space, may_be_of_any_scale)
 {
   for (const double scale : {1e-40, 1e40}) {
-    const Cell cell(scale, 2 * scale, 0.7 * scale);
-    const Dynamic dt(in_cell(random_points(40), cell), cell);
+    const Cell cell = kind.box(scale, 2 * scale, 0.7 * scale);
+    const Dynamic dt(points_in(cell, 40, scale), cell);
     ASSERT_NO_FATAL_FAILURE(
-        expect_answers(dt, Queries(dt), places_around(cell, 3), {0.1 * scale * scale}));
+        expect_answers(dt, Queries(dt), places_around(cell, 3, scale), {0.1 * scale * scale}));
   }
 }
 
-TEST(Queries_in_periodic_space, find_nothing_without_points)
+TEST_P(Queries_in_periodic_space, find_nothing_without_points)
 {
   const Dynamic dt(unit);
   const Queries queries(dt);
@@ -363,12 +344,12 @@ TEST(Queries_in_periodic_space, find_nothing_without_points)
   EXPECT_TRUE(found.empty());
 }
 
-TEST(Queries_in_periodic_space, refuse_wrong_input)
+TEST_P(Queries_in_periodic_space, refuse_wrong_input)
 {
-  const Dynamic dt(random_points(20), unit);
+  const Dynamic dt(points_of_cube(20), unit);
   const Queries queries(dt);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Points places{{0, 0, 0}, {0, nan, 0}, {0, 0, 0x1p20}};
+  const Points places{{0, 0, 0}, {0, nan, 0}, {0x1p20, 0, 0}};
   Images found{{7, {0, 0, 0}}};
   std::vector<std::size_t> begins{8};
   EXPECT_THROW(queries.nearest(places[1]), CGAL::Non_finite_coordinate_error_3);
@@ -391,19 +372,23 @@ TEST(Queries_in_periodic_space, refuse_wrong_input)
 }
 
 // Shifts up to the largest radius do not run over.
-TEST(Queries_in_periodic_space, reach_far)
+TEST_P(Queries_in_periodic_space, reach_far)
 {
-  const Cell cell(400, 300, 1); // the thickness of 1 allows for a radius of 256
-  const Points points{{0, 0, 0}, {3, 5, 0.5}};
+  // The thickness of 1 allows for a radius of 256. A slab of 1 : 300 would take minutes.
+  const Cell cell = kind.box(1, dimension == 2 ? 30 : 300, 400);
+  const Points points{{0, 0, 0}, {0.5, 5, 3}, {0.25, 5, -3}};
   const Dynamic dt(points, cell);
   ASSERT_NO_FATAL_FAILURE(
-      expect_answers(dt, Queries(dt), {{0, 1, 0.25}, {3, -4, 1e5}}, {255.0 * 255, 256.0 * 256}));
+      expect_answers(dt, Queries(dt), {{0.25, 1, 0}, {1e5, -4, 3}}, {255.0 * 255, 256.0 * 256}));
 }
 
 #ifdef CGAL_LINKED_WITH_TBB
-TEST(Threads_in_periodic_space, find_the_same_images)
+using Threads_in_periodic_space = Of_kind;
+INSTANTIATE_TEST_SUITE_P(kinds, Threads_in_periodic_space, all_kinds(), name_of);
+
+TEST_P(Threads_in_periodic_space, find_the_same_images)
 {
-  const Points points = random_points(3000), places = random_points(5000, 8);
+  const Points points = points_of_cube(3000), places = points_of_cube(5000, 1, 8);
   const Dynamic dt(points, unit);
   using Parallel =
       CGAL::Dynamic_periodic_Delaunay_triangulation_3<Kernel,
