@@ -152,8 +152,9 @@ public:
   // between such sites.
   static Few<Site, 5> sites_beside(const State& state, const Site& s, Vertex_index v)
   {
-    const Position_3 way = state.position(s) - state.positions.position(v);
-    const int nearest = Torus_3::nearest(state.torus.fractions(way))[0];
+    // not from the position of s, which is NaN where its shift is large
+    const Position_3 way = state.positions.position(s.vertex) - state.positions.position(v);
+    const int nearest = s.shift.multiples()[0] + Torus_3::nearest(state.torus.fractions(way))[0];
     Few<Site, 5> sites;
     for (int i = 0; i < 5; ++i)
       sites[i] = {v, Torus_shift_3::of({nearest + i - 2, 0, 0})};
