@@ -108,10 +108,9 @@ public:
   void append_doubtful(const Signs& signs, Cell_index c, const Predicate& is_wanted,
                        Open_facets& facets) const
   {
-    signs.for_each_doubtful(c, [&](int place) {
-      if (const Corner_index k = Arrays::corner(c, place); is_wanted(k))
-        append(k, facets);
-    });
+    signs.for_each_doubtful(
+        c, [&](int place) { return is_wanted(Arrays::corner(c, place)); },
+        [&](int place) { append(Arrays::corner(c, place), facets); });
   }
   // Opens the facet opposite to a corner: it is tested, and flipped if it is illegal.
   void open(Corner_index k) { append(k, m_open); }
@@ -395,11 +394,14 @@ private:
   // Opens the facets around new cells. Those between them are legal.
   void open_around(const Flipped& flipped)
   {
-    const auto is_outer = [&](Corner_index k) {
-      return std::find(flipped.outer.begin(), flipped.outer.end(), k) != flipped.outer.end();
-    };
-    for (int n = 0; n < flipped.number; ++n)
-      open_cell(flipped.cells[n], is_outer);
+    const int of_cell = 6 / flipped.number;
+    for (int n = 0; n < flipped.number; ++n) {
+      int outer = 0; // places
+      for (int i = n * of_cell; i < (n + 1) * of_cell; ++i)
+        outer |= 1 << Arrays::place_of(flipped.outer[i]);
+      open_cell(flipped.cells[n],
+                [outer](Corner_index k) { return (outer >> Arrays::place_of(k) & 1) != 0; });
+    }
   }
 
   // Whether there is an edge or facet with these sites.

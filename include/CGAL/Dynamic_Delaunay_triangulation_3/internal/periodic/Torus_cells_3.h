@@ -128,7 +128,8 @@ public:
     set_mirror(l, k, -translation);
   }
 
-  // Cells that a flip has made, and their corners opposite to the facets around them.
+  // Cells that a flip has made, and their corners opposite to the facets around them: equally many
+  // of each cell, in the order of the cells.
   struct Flipped
   {
     Few<Cell_index, 3> cells;

@@ -15,6 +15,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_signs_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/State_base_3.h>
 
+#include <boost/config.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -367,10 +369,10 @@ public:
     return {positions.base(site.vertex), positions.multiples(site.vertex) + shift,
             rounded(site, shift)};
   }
-  Position_3 position(const Torus_site_3& site) const
+  // Inline, as far as it is where the vertex is, as nearly all are.
+  BOOST_FORCEINLINE Position_3 position(const Torus_site_3& site) const
   {
-    return site.shift == Torus_shift_3() ? positions.position(site.vertex)
-                                         : rounded(site, site.shift.multiples());
+    return site.shift == Torus_shift_3() ? positions.position(site.vertex) : rounded_image(site);
   }
 
   // A point is given elsewhere, and may be meant at another image than before.
@@ -475,6 +477,10 @@ private:
       return {nan, nan, nan};
     }
     return p + torus.combination(shift);
+  }
+  BOOST_NOINLINE Position_3 rounded_image(const Torus_site_3& site) const
+  {
+    return rounded(site, site.shift.multiples());
   }
   static Point to_point(const Position_3& p) { return Point(p.x, p.y, p.z); }
 
@@ -591,12 +597,24 @@ public:
   {
     return side_of_sphere(s, other) > 0;
   }
-  // Calls f(place) for each facet of a cell.
-  template <class Function>
-  void for_each_doubtful(Cell_index, const Function& f) const
+  // Calls f(place) for each facet of a cell, of those for which is_wanted(place), that the filter
+  // does not prove legal.
+  template <class Predicate, class Function>
+  void for_each_doubtful(Cell_index c, const Predicate& is_wanted, const Function& f) const
   {
+    using Arrays = typename State::Arrays;
+    const Arrays& arrays = m_state.arrays;
+    const Torus_sites_3 s = arrays.sites(c);
+    const Position_3 origin = position(s[0]);
+    const auto way = [&](const Torus_site_3& site) {
+      const Position_3 v = position(site) - origin;
+      return Points_in_lanes_3<double>{v.x, v.y, v.z};
+    };
+    const Torus_filter_in_lanes_3<double> filter(way(s[1]), way(s[2]), way(s[3]),
+                                                 m_state.squared_error);
     for (int i = 0; i < 4; ++i)
-      f(i);
+      if (is_wanted(i) && filter.side_of_sphere(way(arrays.apex_site(Arrays::corner(c, i)))) >= 0)
+        f(i);
   }
 
   // 1 if `other` is inside of the sphere of a positive cell, -1 if it is outside. The sphere of an
@@ -628,7 +646,10 @@ private:
   }
 
   Torus_point_3 point(const Torus_site_3& site) const { return m_state.image(site); }
-  Position_3 position(const Torus_site_3& site) const { return m_state.position(site); }
+  BOOST_FORCEINLINE Position_3 position(const Torus_site_3& site) const
+  {
+    return m_state.position(site);
+  }
 
   const State& m_state;
   Torus_predicates_3 m_predicates;

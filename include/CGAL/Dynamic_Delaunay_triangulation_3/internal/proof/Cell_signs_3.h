@@ -66,21 +66,22 @@ public:
     return other != infinite_index && side_of_sphere(first, other) > 0;
   }
 
-  // Calls f(place) for each facet of a cell that floating point does not prove legal, by the place
-  // opposite to it.
-  template <class Function>
-  void for_each_doubtful(Cell_index c, const Function& f) const
+  // Calls f(place) for each facet of a cell, of those for which is_wanted(place), that floating
+  // point does not prove legal, by the place opposite to it.
+  template <class Predicate, class Function>
+  void for_each_doubtful(Cell_index c, const Predicate& is_wanted, const Function& f) const
   {
     const Tetrahedra_arrays_3& arrays = m_state.arrays;
     const Vertices_3 v = arrays.vertices(c);
     if (arrays.is_infinite(c) || !m_state.positions_are_exact) {
       for (int i = 0; i < 4; ++i)
-        f(i);
+        if (is_wanted(i))
+          f(i);
       return;
     }
     const auto filter = filter_of(v);
     for (int i = 0; i < 4; ++i)
-      if (filter.may_be_inside(seen_from(v[0], arrays.apex(arrays.corner(c, i)))))
+      if (is_wanted(i) && filter.may_be_inside(seen_from(v[0], arrays.apex(arrays.corner(c, i)))))
         f(i);
   }
 

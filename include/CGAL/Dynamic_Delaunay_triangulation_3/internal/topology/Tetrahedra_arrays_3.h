@@ -98,7 +98,8 @@ public:
     m_cells[cell_of(l)].mirrors[place_of(l)] = k;
   }
 
-  // Cells that a flip has made, and their corners opposite to the facets around them.
+  // Cells that a flip has made, and their corners opposite to the facets around them: equally many
+  // of each cell, in the order of the cells.
   struct Flipped
   {
     Few<Cell_index, 3> cells;
