@@ -34,29 +34,31 @@ struct alignas(64) Torus_cell_3
   void exchange(Torus_cell_3& other)
   {
     exchange_what_differs(vertices, other.vertices);
-    exchange_what_differs(shifts, other.shifts);
     exchange_what_differs(mirrors, other.mirrors);
-    exchange_what_differs(translations, other.translations);
+    exchange_what_differs(shifts, other.shifts);
+    exchange_what_differs(beyond, other.beyond);
   }
 
   Vertices_3 vertices;
-  Shifts_3 shifts;
   Few<Corner_index, 4> mirrors;
-  Shifts_3 translations;
+  Shifts_3 shifts; // of these vertices
+  Shifts_3 beyond; // of the vertices of the mirrors
 };
 
 // A triangulated torus of three dimensions: one cell for each class of cells in space that are
 // images of each other. Vertices have the numbers from 1 on.
 //
 // Each cell has a chart of its own, in which its vertices have shifts; that of the first finite one
-// is 0. At each corner it knows the mirror corner in the neighbor, and the translation that takes
-// the neighbor's chart to its own: a site of the neighbor with the shift s has the shift s +
-// translation here. So nothing has to be found by comparing vertices, and a cell may have several
-// images of a vertex, or be another's neighbor several times; it is never its own (see
-// `Lawson_flips_3.h`).
+// is 0. At each corner it knows the mirror corner in the neighbor, and which shift the vertex there
+// has in its own chart. That tells the translation that takes the neighbor's chart to its own: a
+// site of the neighbor with the shift s has the shift s + translation here. So nothing has to be
+// found by comparing vertices, and a cell may have several images of a vertex, or be another's
+// neighbor several times; it is never its own (see `Lawson_flips_3.h`). And a cell says alone
+// whether all that a pass tests of it has no shift, as in most cells.
 //
 // In a slab there are infinite cells, too: each facet of the hull has one with the point at
-// infinity that is above or below. Translations leave these two points where they are.
+// infinity that is above or below. Translations leave these two points where they are; only what is
+// stored beyond a facet is shifted, so that it tells the translation.
 class Torus_cells_3 : public Cell_arrays_3<Torus_cell_3>
 {
 public:
@@ -76,9 +78,11 @@ public:
   static Site translated_back(const Site& s, Translation translation) { return s - translation; }
   // What takes a finite site of one chart to another image of it.
   static Translation translation(const Site& from, const Site& to) { return to.shift - from.shift; }
+  // What takes the chart of the neighbor opposite to a corner to that of the corner's cell.
   Translation translation(Corner_index k) const
   {
-    return m_cells[cell_of(k)].translations[place_of(k)];
+    const Corner_index l = mirror(k);
+    return m_cells[cell_of(k)].beyond[place_of(k)] - m_cells[cell_of(l)].shifts[place_of(l)];
   }
 
   // In the chart of the corner's cell.
@@ -87,7 +91,12 @@ public:
     const Cell& cell = m_cells[cell_of(k)];
     return {cell.vertices[place_of(k)], cell.shifts[place_of(k)]};
   }
-  Torus_site_3 apex_site(Corner_index k) const { return site(mirror(k)) + translation(k); }
+  Torus_site_3 apex_site(Corner_index k) const
+  {
+    const Torus_site_3 there = site(mirror(k));
+    return {there.vertex,
+            there.is_infinite() ? there.shift : m_cells[cell_of(k)].beyond[place_of(k)]};
+  }
   // The place of a finite vertex, of which every cell has three.
   static int first_finite_place(const Vertices_3& v) { return v[0] == infinite_index ? 1 : 0; }
   // That with the shift 0.
@@ -119,7 +128,8 @@ public:
     }
   }
 
-  // Makes two corners each other's mirror. The translation takes the chart of l's cell to k's.
+  // Makes two corners, whose cells have got their sites, each other's mirror. The translation takes
+  // the chart of l's cell to k's.
   void connect(Corner_index k, Corner_index l, Torus_shift_3 translation, std::size_t part = whole)
   {
     meet(cell_of(k), part);
@@ -263,14 +273,17 @@ public:
     if (shift == Torus_shift_3())
       return;
     record(c, part);
-    for (int i = 0; i < 4; ++i)
-      m_cells[c].shifts[i] = (site(corner(c, i)) - shift).shift;
+    Cell& cell = m_cells[c];
     for (int i = 0; i < 4; ++i) {
-      const Corner_index l = m_cells[c].mirrors[i];
+      cell.beyond[i] = cell.beyond[i] - shift;
+      if (cell.vertices[i] != infinite_index) {
+        cell.shifts[i] = cell.shifts[i] - shift;
+        continue;
+      }
+      const Corner_index l = cell.mirrors[i];
       record(cell_of(l), part);
-      Cell& other = m_cells[cell_of(l)];
-      m_cells[c].translations[i] = m_cells[c].translations[i] - shift;
-      other.translations[place_of(l)] = other.translations[place_of(l)] + shift;
+      Torus_shift_3& beyond = m_cells[cell_of(l)].beyond[place_of(l)];
+      beyond = beyond + shift;
     }
   }
 
@@ -278,8 +291,10 @@ public:
   void shift_vertices(const Column<Vertex_index, Torus_shift_3>& shifts)
   {
     for (Cell& cell : m_cells)
-      for (int i = 0; i < 4; ++i)
+      for (int i = 0; i < 4; ++i) {
         cell.shifts[i] = cell.shifts[i] + shifts[cell.vertices[i]];
+        cell.beyond[i] = cell.beyond[i] + shifts[vertex(cell.mirrors[i])];
+      }
     for (Cell_index c(0); c < number_of_cells(); ++c)
       normalize(c);
   }
@@ -287,8 +302,9 @@ public:
 private:
   void set_mirror(Corner_index k, Corner_index l, Torus_shift_3 translation)
   {
-    m_cells[cell_of(k)].mirrors[place_of(k)] = l;
-    m_cells[cell_of(k)].translations[place_of(k)] = translation;
+    Cell& cell = m_cells[cell_of(k)];
+    cell.mirrors[place_of(k)] = l;
+    cell.beyond[place_of(k)] = m_cells[cell_of(l)].shifts[place_of(l)] + translation;
   }
 
   static Few<Corner_index, 6> new_corners(const Few<Outer_facet, 6>& outer)

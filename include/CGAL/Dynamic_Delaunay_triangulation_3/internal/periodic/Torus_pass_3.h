@@ -45,13 +45,11 @@ public:
   double squared_error() const { return m_squared_error; }
 
   // Whether all images of a cell's vertices and of those beyond its facets have the shift 0.
-  BOOST_FORCEINLINE bool is_without_shifts(const Cell& cell) const
+  BOOST_FORCEINLINE static bool is_without_shifts(const Cell& cell)
   {
     int codes = 0;
-    for (int i = 0; i < 4; ++i) {
-      const Index k = cell.mirrors[i];
-      codes |= cell.shifts[i].code | (m_cells[k / 4].shifts[k % 4] + cell.translations[i]).code;
-    }
+    for (int i = 0; i < 4; ++i)
+      codes |= cell.shifts[i].code | cell.beyond[i].code;
     return codes == 0;
   }
 
@@ -130,9 +128,8 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
     bool are_small = true;
     for (int i = 0; i < 4; ++i) {
       const Index k = cell.mirrors[i];
-      const Torus_view_3::Cell& other = view.cell(k / 4);
       images[i] = view.image(cell.vertices[i], cell.shifts[i]);
-      images[i + 4] = view.image(other.vertices[k % 4], other.shifts[k % 4] + cell.translations[i]);
+      images[i + 4] = view.image(view.cell(k / 4).vertices[k % 4], cell.beyond[i]);
       are_small = are_small && images[i].translation && images[i + 4].translation;
     }
     if (are_small)
