@@ -44,28 +44,40 @@ public:
   const Position_3& position(Vertex_index v) const { return m_positions[v]; }
   double squared_error() const { return m_squared_error; }
 
-  // Whether all images of a cell's vertices and of those beyond its facets have the shift 0.
-  BOOST_FORCEINLINE static bool is_without_shifts(const Cell& cell)
+  // What an image of a cell's vertices, or of those beyond its facets, is translated by.
+  enum class Shifts { NONE, SMALL, LARGE };
+  BOOST_FORCEINLINE static Shifts shifts_of(const Cell& cell)
   {
-    int codes = 0;
-    for (int i = 0; i < 4; ++i)
+    int codes = 0, beyond_table = 0;
+    for (int i = 0; i < 4; ++i) {
       codes |= cell.shifts[i].code | cell.beyond[i].code;
-    return codes == 0;
+      beyond_table |= (cell.shifts[i].code + middle) | (cell.beyond[i].code + middle);
+    }
+    return codes == 0 ? Shifts::NONE : (beyond_table & ~table) == 0 ? Shifts::SMALL : Shifts::LARGE;
   }
 
-  // An image, for lanes. Without a translation if its shift is large.
-  BOOST_FORCEINLINE Translated_3 image(Vertex_index v, Torus_shift_3 shift) const
+  // The vertices of a cell have the places from 0 to 3, and those beyond its facets from 4 to 7.
+  BOOST_FORCEINLINE Vertex_index vertex(const Cell& cell, int place) const
   {
-    constexpr int middle = side / 2 * (1 + (1 << 10) + (1 << 20)), low = side - 1;
-    const int code = shift.code + middle;
-    const bool is_small = (code & ~(low | low << 10 | low << 20)) == 0;
-    const std::size_t number =
-        std::size_t((code & low) | (code >> 10 & low) << bits | (code >> 20 & low) << 2 * bits);
-    return {&m_positions[v], is_small ? &m_translations[number] : nullptr};
+    if (place < 4)
+      return cell.vertices[place];
+    const Index k = cell.mirrors[place - 4];
+    return m_cells[k / 4].vertices[k % 4];
+  }
+  // The image of one of them, for lanes. Its shift must be small.
+  BOOST_FORCEINLINE Translated_3 image(const Cell& cell, int place) const
+  {
+    const int code = (place < 4 ? cell.shifts[place] : cell.beyond[place - 4]).code + middle;
+    const int number = (code & low) | (code >> (10 - bits) & low << bits) |
+                       (code >> 2 * (10 - bits) & low << 2 * bits);
+    return {&m_positions[vertex(cell, place)], &m_translations[std::size_t(number)]};
   }
 
 private:
-  static constexpr int bits = 3, side = 1 << bits;
+  static constexpr int bits = 3, side = 1 << bits, low = side - 1;
+  // Of codes of shifts, to which `middle` is added, these bits count in the table.
+  static constexpr int middle = side / 2 * (1 + (1 << 10) + (1 << 20));
+  static constexpr int table = low * (1 + (1 << 10) + (1 << 20));
 
   const Cell* m_cells;
   const Position_3* m_positions;
@@ -74,14 +86,37 @@ private:
   std::array<Position_3, side * side * side> m_translations; // from -4 to 3
 };
 
-// Cells that are tested at once, with the images of their vertices and of those beyond their
-// facets.
-template <int lanes>
-struct Torus_group_3
+// Cells that wait until all lanes have one.
+class Waiting_cells_3
 {
-  Few<Cell_index, lanes> cells;
-  Few<Few<Translated_3, 8>, lanes> images;
-  int number = 0;
+public:
+  static constexpr std::size_t block = 64; // cells that come before others are tested
+
+  // Adds a cell if it is of the kind, without a branch, which would be mispredicted.
+  BOOST_FORCEINLINE void add_if(bool is_of_kind, Cell_index c)
+  {
+    m_cells[m_number] = c;
+    m_number += std::size_t(is_of_kind);
+  }
+  // Calls f(cells) for as many at once as there are lanes, and keeps the rest.
+  template <int lanes, class Function>
+  BOOST_FORCEINLINE void take(const Function& f)
+  {
+    std::size_t taken = 0;
+    for (; taken + lanes <= m_number; taken += lanes) {
+      Few<Cell_index, lanes> some{};
+      for (int i = 0; i < lanes; ++i)
+        some[i] = m_cells[taken + std::size_t(i)];
+      f(some);
+    }
+    std::copy(m_cells.begin() + std::ptrdiff_t(taken), m_cells.begin() + std::ptrdiff_t(m_number),
+              m_cells.begin());
+    m_number -= taken;
+  }
+
+private:
+  std::array<Cell_index, block + 8> m_cells{}; // of those that are kept, fewer than lanes
+  std::size_t m_number = 0;
 };
 
 template <int lanes, class Point_at, class Learned>
@@ -100,78 +135,55 @@ BOOST_FORCEINLINE void append_unproved_in_torus(const Few<Cell_index, lanes>& so
 }
 
 // Tests so many cells, the i-th of which is cell_at(i). Cells without shifts, most of them, read
-// positions from where they are; those of others are translated.
+// positions from where they are; those of others are translated. A block of cells is sorted before
+// its cells are tested: calm updates of 10,000 points take a twentieth less than if tests of both
+// kinds alternate.
 template <int lanes, class Cell_at, class Learned>
 BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::size_t cells,
                                                 const Cell_at& cell_at, const Learned& learned,
                                                 std::vector<Cell_index>& unproved)
 {
   using Dynamic_Delaunay_triangulations_2::internal::prefetch;
+  using Shifts = Torus_view_3::Shifts;
   constexpr std::size_t ahead = 16;
-  Few<Cell_index, lanes> plain{};
-  Torus_group_3<lanes> shifted;
-  int number = 0;
-  const auto plain_at = [&](int i, int place) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Position_3& {
-    const Torus_view_3::Cell& cell = view.cell(plain[i]);
-    if (place < 4)
-      return view.position(cell.vertices[place]);
-    const Index k = cell.mirrors[place - 4];
-    return view.position(view.cell(k / 4).vertices[k % 4]);
+  Waiting_cells_3 plain, shifted;
+  const auto test_plain = [&](const auto& some) CGAL_DYNAMIC_DELAUNAY_INLINE {
+    append_unproved_in_torus(
+        some,
+        [&](int i, int place) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Position_3& {
+          return view.position(view.vertex(view.cell(some[i]), place));
+        },
+        view.squared_error(), learned, unproved);
   };
-  const auto shifted_at =
-      [&](int i, int place)
-          CGAL_DYNAMIC_DELAUNAY_INLINE -> const Translated_3& { return shifted.images[i][place]; };
-  // cells with large shifts are left to exact predicates
-  const auto append_shifted = [&](Cell_index c) CGAL_DYNAMIC_DELAUNAY_INLINE {
-    const Torus_view_3::Cell& cell = view.cell(c);
-    Few<Translated_3, 8>& images = shifted.images[shifted.number];
-    bool are_small = true;
-    for (int i = 0; i < 4; ++i) {
-      const Index k = cell.mirrors[i];
-      images[i] = view.image(cell.vertices[i], cell.shifts[i]);
-      images[i + 4] = view.image(view.cell(k / 4).vertices[k % 4], cell.beyond[i]);
-      are_small = are_small && images[i].translation && images[i + 4].translation;
-    }
-    if (are_small)
-      shifted.cells[shifted.number++] = c;
-    else
-      unproved.push_back(c);
+  const auto test_shifted = [&](const auto& some) CGAL_DYNAMIC_DELAUNAY_INLINE {
+    append_unproved_in_torus(
+        some,
+        [&](int i, int place)
+            CGAL_DYNAMIC_DELAUNAY_INLINE { return view.image(view.cell(some[i]), place); },
+        view.squared_error(), learned, unproved);
   };
-  for (std::size_t n = 0; n < cells; ++n) {
-    const Cell_index c = cell_at(n);
-    const Torus_view_3::Cell& cell = view.cell(c);
-    if (n + 2 * ahead < cells)
-      prefetch(view.cells() + cell_at(n + 2 * ahead));
-    if (n + ahead < cells)
-      for (const Corner_index k : view.cell(cell_at(n + ahead)).mirrors)
-        prefetch(view.cells() + k / 4);
-    if (view.is_without_shifts(cell)) {
-      plain[number++] = c;
-      if (number == lanes) {
-        append_unproved_in_torus<lanes>(plain, plain_at, view.squared_error(), learned, unproved);
-        number = 0;
-      }
-      continue;
+  for (std::size_t n = 0; n < cells;) {
+    const std::size_t beyond = (std::min)(n + Waiting_cells_3::block, cells);
+    for (; n < beyond; ++n) {
+      if (n + 2 * ahead < cells)
+        prefetch(view.cells() + cell_at(n + 2 * ahead));
+      if (n + ahead < cells)
+        for (const Corner_index k : view.cell(cell_at(n + ahead)).mirrors)
+          prefetch(view.cells() + k / 4);
+      const Cell_index c = cell_at(n);
+      const Shifts shifts = view.shifts_of(view.cell(c));
+      plain.add_if(shifts == Shifts::NONE, c);
+      shifted.add_if(shifts == Shifts::SMALL, c);
+      if (shifts == Shifts::LARGE) // left to exact predicates
+        unproved.push_back(c);
     }
-    append_shifted(c);
-    if (shifted.number == lanes) {
-      append_unproved_in_torus<lanes>(shifted.cells, shifted_at, view.squared_error(), learned,
-                                      unproved);
-      shifted.number = 0;
-    }
+    plain.template take<lanes>(test_plain);
+    shifted.template take<lanes>(test_shifted);
   }
-  for (int i = 0; i < number; ++i)
-    append_unproved_in_torus<1>(
-        {plain[i]}, [&](int, int place) -> const Position_3& { return plain_at(i, place); },
-        view.squared_error(), learned, unproved);
-  for (int i = 0; i < shifted.number; ++i)
-    append_unproved_in_torus<1>(
-        {shifted.cells[i]},
-        [&](int, int place) -> const Translated_3& { return shifted_at(i, place); },
-        view.squared_error(), learned, unproved);
+  plain.template take<1>(test_plain);
+  shifted.template take<1>(test_shifted);
 }
 
-// What a pass over a torus reads.
 template <class Traits, class ConcurrencyTag>
 class Pass_view_3<Torus_state_3<Traits, ConcurrencyTag>>
 {
