@@ -64,6 +64,13 @@ struct Few
 
 using Vertices_3 = Few<Vertex_index, 4>;
 
+// Whether the infinite vertex is among them, without branches, which would be mispredicted.
+inline bool has_infinite(const Vertices_3& v)
+{
+  return (int(v[0] == infinite_index) | int(v[1] == infinite_index) | int(v[2] == infinite_index) |
+          int(v[3] == infinite_index)) != 0;
+}
+
 // Writes nothing where both are equal, so that threads may read that meanwhile.
 template <class T, int number>
 void exchange_what_differs(Few<T, number>& a, Few<T, number>& b)

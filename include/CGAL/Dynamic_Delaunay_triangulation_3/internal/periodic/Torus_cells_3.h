@@ -68,12 +68,7 @@ public:
 
   static Vertex_index vertex_of(const Site& s) { return s.vertex; }
   static bool is_infinite(const Site& s) { return s.is_infinite(); }
-  bool is_infinite(Cell_index c) const
-  {
-    const Vertices_3& v = vertices(c);
-    const auto is_at = [&](int place) { return int(v[place] == infinite_index); };
-    return (is_at(0) | is_at(1) | is_at(2) | is_at(3)) != 0;
-  }
+  bool is_infinite(Cell_index c) const { return has_infinite(vertices(c)); }
   // A site as seen in the chart that the translation takes to this one.
   static Site translated_back(const Site& s, Translation translation) { return s - translation; }
   // What takes a finite site of one chart to another image of it.

@@ -146,7 +146,7 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Tetrahedra_arrays_3& array
     if (n + ahead < number)
       for (const Corner_index k : cells[cell_at(n + ahead)].mirrors)
         prefetch(cells + k / 4);
-    if (std::find(v.begin(), v.end(), infinite_index) != v.end()) {
+    if (has_infinite(v)) {
       unproved.infinite.push_back(c);
       continue;
     }

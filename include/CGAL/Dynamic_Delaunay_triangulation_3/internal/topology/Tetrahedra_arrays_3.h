@@ -62,7 +62,7 @@ public:
   Site site(Corner_index k) const { return vertex(k); }
   Site apex_site(Corner_index k) const { return apex(k); }
 
-  bool is_infinite(Cell_index c) const { return place_of(c, infinite_index) < 4; }
+  bool is_infinite(Cell_index c) const { return has_infinite(vertices(c)); }
   // The place of a vertex in a cell, or 4.
   using Cell_arrays_3::place_of;
   int place_of(Cell_index c, Vertex_index v) const
