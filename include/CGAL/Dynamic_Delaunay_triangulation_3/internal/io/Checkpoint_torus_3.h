@@ -148,7 +148,7 @@ public:
     }
     m_points.push_back(p);
     m_places.emplace_back(approximation(p), multiples, m_state.torus);
-    if (m_state.is_far(m_places.back().position))
+    if (m_state.torus.is_far_out(m_places.back().position))
       m_file.refuse("the vertex is farther from the cell than those of a torus may be");
   }
 

@@ -200,6 +200,16 @@ public:
     return std::abs(v.x) < bound && std::abs(v.y) < bound && std::abs(v.z) < bound;
   }
 
+  // Whether a position is so far out of the basis' parallelepiped that it is wrapped.
+  bool is_far_out(const Position_3& p) const
+  {
+    const Position_3 v = p - m_middle;
+    if (std::abs(v.x) < m_inside && std::abs(v.y) < m_inside && std::abs(v.z) < m_inside)
+      return false;
+    const Position_3 f = fractions(p);
+    return !((std::max)({f.x, f.y, f.z}) < 2 && (std::min)({f.x, f.y, f.z}) > -1);
+  }
+
   // What so many of the basis are of the cell's vectors.
   Periodic_shift_3 in_vectors_of_cell(const Multiples_3& m) const
   {
@@ -410,6 +420,9 @@ private:
       for (const Position_3& row : *inverse)
         most = (std::max)(most, squared_length(row));
     m_near = max_multiple / (2 * std::sqrt(most));
+    // fractions less than 1.4 from 1/2, so that rounding does not count; 0.8 < 1.4 / sqrt(3)
+    m_middle = combination(Position_3{0.5, 0.5, 0.5});
+    m_inside = 0.8 / std::sqrt(most);
   }
 
   // Whether fractions, and what is computed from them, mean something.
@@ -546,6 +559,8 @@ private:
   double m_determinant = 0;
   double m_error = 0, m_largest = 0; // of coordinates of the basis
   double m_near = 0;                 // points with smaller coordinates are in range
+  Position_3 m_middle{0, 0, 0};      // of the basis' parallelepiped
+  double m_inside = 0;               // points that are not farther from that are not far out
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -116,13 +116,17 @@ struct Torus_measures_3
   // Each coordinate by itself: one maximum of all would wait for the one before, six times a place.
   void include(const Position_3& base, const Position_3& position, const Multiples_3& multiples)
   {
-    const auto largest_of = [](double x, double y, double z) {
-      return (std::max)((std::max)(std::abs(x), std::abs(y)), z);
-    };
-    extent = {largest_of(base.x, position.x, extent.x), largest_of(base.y, position.y, extent.y),
-              largest_of(base.z, position.z, extent.z)};
+    include(position);
+    if ((multiples[0] | multiples[1] | multiples[2]) == 0) // the base is the position
+      return;
+    include(base);
     sum = (std::max)(sum, double(std::abs(multiples[0])) + std::abs(multiples[1]) +
                               std::abs(multiples[2]));
+  }
+  void include(const Position_3& p)
+  {
+    extent = {(std::max)(std::abs(p.x), extent.x), (std::max)(std::abs(p.y), extent.y),
+              (std::max)(std::abs(p.z), extent.z)};
   }
   Torus_measures_3 with(const Torus_measures_3& other) const
   {
@@ -387,7 +391,7 @@ public:
   void include(const Place& place)
   {
     m_present.include(place.base, place.position, place.multiples);
-    m_present.has_strayed = m_present.has_strayed || is_far(place.position);
+    m_present.has_strayed = m_present.has_strayed || torus.is_far_out(place.position);
     use_reach(m_reach.with(m_present));
   }
   void include_all()
@@ -441,14 +445,8 @@ public:
   void set_origin(const Position_3& p)
   {
     origin = p;
-    if (is_finite(p) && is_far(p))
+    if (is_finite(p) && torus.is_far_out(p))
       origin = p - torus.combination(Torus_3::floor(torus.fractions(p)));
-  }
-  // Whether a vertex is so far out of the basis' parallelepiped that it is wrapped.
-  bool is_far(const Position_3& p) const
-  {
-    const Position_3 f = torus.fractions(p);
-    return !((std::max)({f.x, f.y, f.z}) < 2 && (std::min)({f.x, f.y, f.z}) > -1);
   }
 
   void begin_rebuild() { torus = torus.with_short_basis(); }
@@ -540,7 +538,7 @@ private:
       for (Vertex_index v(first + 1); v <= end; ++v) {
         measures.include(places.base(v), places.position(v), places.multiples(v));
         if (looks_for_strayed)
-          measures.has_strayed |= is_far(places.position(v));
+          measures.has_strayed |= torus.is_far_out(places.position(v));
       }
       found[part] = measures;
     });
