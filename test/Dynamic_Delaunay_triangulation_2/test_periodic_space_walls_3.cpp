@@ -186,21 +186,20 @@ TEST(Predicates_at_walls, tell_sides_of_circles_as_exact_numbers_do)
   EXPECT_GT(sides[2], 3000);
 }
 
+// Images by vectors that leave a plane are at other heights than what they are images of.
 TEST(Predicates_at_walls, know_points_with_a_coordinate_in_common)
 {
-  std::mt19937_64 random(9);
-  for (const Cell& cell : {square, oblique}) {
-    Images images(cell, 1, random);
-    for (const double x : {0.25, 0.5, 0.75, 1.25})
-      images.add(x, x * x, 0.375);
-    const bool is_along = cell == square; // by the other cell's vectors images are at other heights
-    const auto multiples = [&](std::size_t i) { return images[i].multiples; };
-    const bool are_shifted = multiples(0) - multiples(1) == Multiples_3{0, 0, 0} &&
-                             multiples(0) - multiples(2) == Multiples_3{0, 0, 0} &&
-                             multiples(0) - multiples(3) == Multiples_3{0, 0, 0};
-    EXPECT_FALSE(are_shifted);
-    EXPECT_EQ(images.torus.are_level(images[0], images[1], images[2], images[3]), is_along);
-  }
+  for (const Cell& cell : {square, oblique, straight, tilted})
+    for (const bool are_images : {false, true}) {
+      const Torus_3 torus(cell);
+      std::vector<Torus_point_3> points;
+      for (const int i : {0, 1, 2, 4})
+        points.emplace_back(Position_3{0.25 * i, 0.125 * i * i, 0.375},
+                            Multiples_3{are_images ? i : 0, 0, 0}, Position_3{0, 0, 0});
+      const bool is_along = cell == square || cell == straight;
+      EXPECT_EQ(torus.are_level(points[0], points[1], points[2], points[3]),
+                is_along || !are_images);
+    }
 }
 
 // Facets whose planes nearly contain the axis.
