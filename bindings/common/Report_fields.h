@@ -9,6 +9,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Update_report_2.h>
 
 #include <array>
+#include <cstddef>
 
 namespace bindings {
 
@@ -19,7 +20,7 @@ const char* rebuild_reason(const Report& report)
   return report.rebuilt() ? run::rebuild_reason_name(report.rebuild_reason) : nullptr;
 }
 
-inline constexpr std::array counts_of_reports = {
+inline constexpr std::array<std::size_t CGAL::Update_report_2::*, 12> counts_of_reports = {
     &CGAL::Update_report_2::classified,   &CGAL::Update_report_2::padded,
     &CGAL::Update_report_2::border,       &CGAL::Update_report_2::flips,
     &CGAL::Update_report_2::splices,      &CGAL::Update_report_2::spliced,
