@@ -78,12 +78,11 @@ public:
     return sites;
   }
 
-  // Triangulates sites, inserted in their order. `hint(i)` is the number of a site that was
-  // inserted before the i-th one and should be near to it, or the number of sites. Calls
-  // coincides(i, j) if the i-th site is where the j-th one is already. False if all are coplanar.
-  template <class Hint, class Function>
-  bool triangulate(const std::vector<Torus_site_3>& sites, const Hint& hint,
-                   const Function& coincides)
+  // Triangulates sites, inserted in their order, in which neighbors should be near to each other.
+  // Calls coincides(i, j) if the i-th site is where the j-th one is already. False if all are
+  // coplanar.
+  template <class Function>
+  bool triangulate(const std::vector<Torus_site_3>& sites, const Function& coincides)
   {
     m_sites.assign(sites.size() + 1, Torus_site_3());
     m_images.points.assign(sites.size() + 1, Torus_point_3());
@@ -101,9 +100,6 @@ public:
     for (Vertex_index v(1); v <= sites.size(); ++v) {
       if (std::find(first.begin(), first.begin() + 4, v) != first.begin() + 4)
         continue;
-      if (const std::size_t other = hint(v - 1); other < sites.size())
-        if (const Corner_index k = m_arrays.corner_of(Vertex_index(other + 1)); k != null_index)
-          m_insertion.start_at(Arrays::cell_of(k));
       if (const Vertex_index other = m_insertion.insert(v); other != null_index)
         coincides(v - 1, other - 1);
     }

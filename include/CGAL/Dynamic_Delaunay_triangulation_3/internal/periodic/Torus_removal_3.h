@@ -45,9 +45,8 @@ public:
     if (!find_hole(v))
       return false;
     Torus_patch_3<State> patch(m_state);
-    const auto without_hint = [this](std::size_t) { return m_around.size(); };
     const auto never = [](std::size_t, std::size_t) {};
-    if (!patch.triangulate(m_around, without_hint, never) || !find_inside(patch) ||
+    if (!patch.triangulate(m_around, never) || !find_inside(patch) ||
         !is_positive_at_infinity(patch))
       return false;
     fill(patch);

@@ -190,11 +190,9 @@ private:
       Torus_patch_3<State> patch(m_state);
       Covered coinciding;
       const auto triangulate = [&] {
-        return patch.triangulate(
-            m_images, [this](std::size_t i) { return m_hints[i]; },
-            [&](std::size_t i, std::size_t j) {
-              coinciding.emplace_back(m_images[i].vertex, m_images[j].vertex);
-            });
+        return patch.triangulate(m_images, [&](std::size_t i, std::size_t j) {
+          coinciding.emplace_back(m_images[i].vertex, m_images[j].vertex);
+        });
       };
       bool spans_space = triangulate();
       if (!spans_space && m_state.torus.is_slab()) {
@@ -261,14 +259,12 @@ private:
 
   void append_points_at_infinity()
   {
-    for (const Torus_site_3& point : {Torus_site_3::above(), Torus_site_3::below()}) {
-      m_hints.push_back(m_images.size() + 2); // none
-      m_images.push_back(point);
-    }
+    m_images.push_back(Torus_site_3::above());
+    m_images.push_back(Torus_site_3::below());
   }
 
-  // Lists the images of the seeds in the basis' parallelepiped and in a margin around, and for each
-  // the image of the seed before by the same shift.
+  // Lists the images of the seeds in the basis' parallelepiped and in a margin around, in rounds
+  // along a curve: seed by seed they would be rows of a lattice first, whose cells are large.
   void list_images(const Few<double, 3>& margin)
   {
     Multiples_3 most;
@@ -277,24 +273,25 @@ private:
     if (double(m_seeds.size()) * (1 + 2 * margin[0]) * (1 + 2 * margin[1]) * (1 + 2 * margin[2]) >
         double(most_images))
       throw std::length_error("a periodic cell is too thin for its points");
-    m_images.clear();
-    m_hints.clear();
-    std::map<int, std::size_t> last; // by codes of shifts
+    std::vector<Torus_site_3> images;
+    std::vector<Position_3> positions;
     const auto is_within = [](double x, double m) { return -m <= x && x <= 1 + m; };
     for (const Vertex_index v : m_seeds) {
-      const Position_3 f = m_state.torus.fractions(m_state.positions.position(v));
+      const Position_3& p = m_state.positions.position(v);
+      const Position_3 f = m_state.torus.fractions(p);
       for (int x = -most[0]; x <= most[0]; ++x)
         for (int y = -most[1]; y <= most[1]; ++y)
           for (int z = -most[2]; z <= most[2]; ++z)
             if (is_within(f.x + x, margin[0]) && is_within(f.y + y, margin[1]) &&
                 is_within(f.z + z, margin[2])) {
-              const Torus_shift_3 shift = Torus_shift_3::of({x, y, z});
-              const auto at = last.emplace(shift.code, std::size_t(-1)).first;
-              m_hints.push_back(at->second);
-              at->second = m_images.size();
-              m_images.push_back({v, shift});
+              images.push_back({v, Torus_shift_3::of({x, y, z})});
+              positions.push_back(p + m_state.torus.combination(Multiples_3{x, y, z}));
             }
     }
+    const std::vector<Index> along_curve = order_along_curve(positions);
+    m_images.clear();
+    for (const Vertex_index n : order_by_rounds(Index(images.size())))
+      m_images.push_back(images[along_curve[n - 1]]);
   }
 
   // A cell's sites in ascending order, moved so that the first finite one has the shift 0: the same
@@ -401,7 +398,6 @@ private:
   std::vector<Vertex_index> m_seeds;
   std::vector<Vertex_index> m_left; // could not be inserted
   std::vector<Torus_site_3> m_images;
-  std::vector<std::size_t> m_hints;
   std::vector<std::pair<Torus_sites_3, Cell_index>> m_classes; // with cells of the patch
   Column<Corner_index, Corner_index> m_mirrors;
 };
