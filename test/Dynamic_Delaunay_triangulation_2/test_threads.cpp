@@ -38,6 +38,7 @@
 #include <new>
 #include <numeric>
 #include <optional>
+#include <random>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -709,6 +710,22 @@ private:
     EXPECT_TRUE(dt.is_valid());
   }
 };
+
+TEST(Threads, free_ids_that_new_points_get_from_the_smallest_on)
+{
+  const Points points = Cloud<Epick>(8).uniform(20000);
+  Parallel dt(points);
+  std::vector<std::size_t> gone(points.size());
+  std::iota(gone.begin(), gone.end(), std::size_t(0));
+  std::shuffle(gone.begin(), gone.end(), std::mt19937(8));
+  gone.resize(2000);
+  EXPECT_FALSE(dt.remove(gone).rebuilt());
+  std::sort(gone.begin(), gone.end());
+  gone.resize(5);
+  std::vector<std::size_t> ids;
+  dt.insert(Points(points.begin(), points.begin() + 5), std::back_inserter(ids));
+  EXPECT_EQ(ids, gone);
+}
 
 TEST(Threads, change_nothing_in_periodic_space)
 {
