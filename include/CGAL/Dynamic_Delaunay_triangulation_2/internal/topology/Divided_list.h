@@ -22,7 +22,7 @@ template <class Element>
 class Divided_list
 {
 public:
-  static constexpr std::size_t max_parts = 33;
+  static constexpr std::size_t max_parts = 33; // those of a triangulation, and what is in none
 
   // Copies a list, the i-th element of which belongs to part_of(i). Threads share the work.
   template <class Parts, class Part_of>

@@ -73,6 +73,7 @@ public:
   // vertices would have to be held: then the frame has to be rebuilt.
   bool hold(const std::vector<Cell_index>& bad, std::size_t most)
   {
+    m_state.find_walls();
     for (int attempt = 0; attempt < attempts; ++attempt) {
       arrays().begin();
       m_whole.bad = bad;

@@ -91,6 +91,7 @@ class Waiting_cells_3
 {
 public:
   static constexpr std::size_t block = 64; // cells that come before others are tested
+  static constexpr int most_lanes = 8;
 
   // Adds a cell if it is of the kind, without a branch, which would be mispredicted.
   BOOST_FORCEINLINE void add_if(bool is_of_kind, Cell_index c)
@@ -102,6 +103,7 @@ public:
   template <int lanes, class Function>
   BOOST_FORCEINLINE void take(const Function& f)
   {
+    static_assert(lanes <= most_lanes);
     std::size_t taken = 0;
     for (; taken + lanes <= m_number; taken += lanes) {
       Few<Cell_index, lanes> some{};
@@ -115,7 +117,7 @@ public:
   }
 
 private:
-  std::array<Cell_index, block + 8> m_cells{}; // of those that are kept, fewer than lanes
+  std::array<Cell_index, block + most_lanes> m_cells{}; // of those that are kept, fewer than lanes
   std::size_t m_number = 0;
 };
 
@@ -136,8 +138,7 @@ BOOST_FORCEINLINE void append_unproved_in_torus(const Few<Cell_index, lanes>& so
 
 // Tests so many cells, the i-th of which is cell_at(i). Cells without shifts, most of them, read
 // positions from where they are; those of others are translated. A block of cells is sorted before
-// its cells are tested: calm updates of 10,000 points take a twentieth less than if tests of both
-// kinds alternate.
+// its cells are tested, so that the two kinds of tests do not alternate.
 template <int lanes, class Cell_at, class Learned>
 BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::size_t cells,
                                                 const Cell_at& cell_at, const Learned& learned,
@@ -184,6 +185,7 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
   shifted.template take<1>(test_shifted);
 }
 
+// What a pass over a torus reads.
 template <class Traits, class ConcurrencyTag>
 class Pass_view_3<Torus_state_3<Traits, ConcurrencyTag>>
 {

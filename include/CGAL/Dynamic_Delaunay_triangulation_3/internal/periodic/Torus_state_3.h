@@ -315,6 +315,27 @@ public:
     return {x ? after.x : wanted.x, y ? after.y : wanted.y, z ? after.z : wanted.z};
   }
 
+  // Finds flat walls across axes: planes with several vertices, beyond which there is none.
+  void find_walls()
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto wall = [&](std::size_t axis, double sign, const auto& coordinate) {
+      double outermost = -infinity;
+      std::size_t number = 0;
+      for (Vertex_index v(1); torus.is_open_along(axis) && v < positions.number(); ++v) {
+        const double x = sign * coordinate(positions.position(v));
+        number = x > outermost ? 1 : number + (x == outermost);
+        outermost = (std::max)(outermost, x);
+      }
+      return sign * (number < few_on_wall ? infinity : outermost);
+    };
+    const auto x = [](const Position_3& p) { return p.x; };
+    const auto y = [](const Position_3& p) { return p.y; };
+    const auto z = [](const Position_3& p) { return p.z; };
+    m_low = {wall(0, -1, x), wall(1, -1, y), wall(2, -1, z)};
+    m_high = {wall(0, 1, x), wall(1, 1, y), wall(2, 1, z)};
+  }
+
   // The place `wanted`, but with a coordinate of another one where it is beyond a flat wall: there
   // a vertex would be alone, with cells as large as the basis. Of the frames of 10,000 points, a
   // third of them on the walls of a slab, that take steps of 0.1 mean spacings, 12 percent are
@@ -407,7 +428,6 @@ public:
     if (torus.is_wire())
       set_origin(origin + mean);
     m_present = measures(positions, true);
-    find_walls();
     Torus_measures_3 reach = measures(previous, false).with(m_present);
     reach.extent = 4 * reach.extent;
     use_reach(reach);
@@ -501,27 +521,6 @@ private:
         return std::nullopt;
     }
     return normal;
-  }
-
-  // Finds flat walls across axes: planes with several vertices, beyond which there is none.
-  void find_walls()
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const auto wall = [&](std::size_t axis, double sign, const auto& coordinate) {
-      double outermost = -infinity;
-      std::size_t number = 0;
-      for (Vertex_index v(1); torus.is_open_along(axis) && v < positions.number(); ++v) {
-        const double x = sign * coordinate(positions.position(v));
-        number = x > outermost ? 1 : number + (x == outermost);
-        outermost = (std::max)(outermost, x);
-      }
-      return sign * (number < few_on_wall ? infinity : outermost);
-    };
-    const auto x = [](const Position_3& p) { return p.x; };
-    const auto y = [](const Position_3& p) { return p.y; };
-    const auto z = [](const Position_3& p) { return p.z; };
-    m_low = {wall(0, -1, x), wall(1, -1, y), wall(2, -1, z)};
-    m_high = {wall(0, 1, x), wall(1, 1, y), wall(2, 1, z)};
   }
 
   void use_reach(const Torus_measures_3& reach)

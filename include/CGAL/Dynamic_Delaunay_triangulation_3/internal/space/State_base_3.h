@@ -39,10 +39,10 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //   double smallest_way()             share of its way by which a held vertex may move on
 //   Position_3 along_hull(p, q, star) where a vertex of the hull waits instead of q, if held from p
 //   Position_3 on_wall(p, q, r)       the same instead of r, if a frame moves it from p to q
+//   find_walls()                      before vertices are held, where all are at their targets
 //   Position_3 between_walls(r, q)    where another vertex waits instead of r, if it belongs to q
 //   bool goes_on_to_cover_once()      whether cells, infinite ones too, that are positive before
-//   and
-//                                     after motion go on to cover space once
+//                                     and after motion go on to cover space once
 //   spans_space, positions_are_exact, has_origin, origin, most_broken
 template <class GeomTraits, class ConcurrencyTag, class Positions_of_space, class Arrays_of_space>
 class State_base_3

@@ -104,6 +104,7 @@ public:
   {
     return wanted;
   }
+  static void find_walls() {}
   static Position_3 between_walls(const Position_3& wanted, const Position_3&) { return wanted; }
   static constexpr bool goes_on_to_cover_once() { return false; } // a ray says so
 
