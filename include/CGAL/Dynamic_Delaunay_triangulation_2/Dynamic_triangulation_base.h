@@ -184,12 +184,12 @@ public:
   /// replaced, too, and may become a slab or cease to be one. The user's data are as in new
   /// vertices and faces; property maps stay valid. A classifier is told that everything is new.
   ///
-  /// The file is validated: its faces must be a triangulated sphere with all points, in periodic
-  /// space a torus that covers the cell once, in space its cells must fit together, each number and
-  /// id must occur exactly once, and a triangulation that is marked as certified, as in space each
-  /// is, must be Delaunay by exact predicates. Reads exactly what was written, and leaves the rest
-  /// of the stream unread. Cost: linear, in space that of sorting the facets; memory in proportion
-  /// to what is read, in addition to what this triangulation uses.
+  /// The file is validated. Each number and id must occur exactly once. In the plane the faces must
+  /// be a triangulated sphere with all points, or in a periodic cell a torus that covers the cell
+  /// once; in space the cells must fit together and cover it once. A triangulation that is marked
+  /// as certified, as all are in space, must be Delaunay by exact predicates. Reads exactly what
+  /// was written, and leaves the rest of the stream unread. Cost: linear, in space that of sorting
+  /// the facets; memory in proportion to what is read, in addition to what this triangulation uses.
   /// \throws Checkpoint_error_2 if the file is refused. Whatever is thrown, nothing changes, unless
   /// the visitor throws it while it is told what changes.
   void read_checkpoint(std::istream& in)
