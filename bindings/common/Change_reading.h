@@ -7,8 +7,7 @@
 #include "bindings/common/Recorded_changes.h"
 #include "bindings/common/Subject.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_edge_changes_visitor_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_base.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_shift_3.h>
 #include <CGAL/Periodic_shift_2.h>
 
@@ -55,11 +54,8 @@ CGAL::Periodic_shift_2 shift_of(const Edge&)
 {
   return {0, 0};
 }
-inline CGAL::Periodic_shift_2 shift_of(const CGAL::Periodic_edge_changes_visitor_2::Edge& edge)
-{
-  return edge.shift;
-}
-inline CGAL::Periodic_shift_3 shift_of(const CGAL::Periodic_edge_changes_visitor_3::Edge& edge)
+template <class Id, class Shift>
+Shift shift_of(const CGAL::Periodic_edge<Id, Shift>& edge)
 {
   return edge.shift;
 }
@@ -69,11 +65,8 @@ std::array<std::size_t, 2> ends_of(const Edge& edge)
 {
   return {std::size_t(std::get<0>(edge)), std::size_t(std::get<1>(edge))};
 }
-inline std::array<std::size_t, 2> ends_of(const CGAL::Periodic_edge_changes_visitor_2::Edge& edge)
-{
-  return {edge.i, edge.j};
-}
-inline std::array<std::size_t, 2> ends_of(const CGAL::Periodic_edge_changes_visitor_3::Edge& edge)
+template <class Id, class Shift>
+std::array<std::size_t, 2> ends_of(const CGAL::Periodic_edge<Id, Shift>& edge)
 {
   return {edge.i, edge.j};
 }

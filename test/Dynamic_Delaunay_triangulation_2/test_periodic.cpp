@@ -1202,6 +1202,21 @@ TEST(Edge_changes, are_none_where_points_are_wrapped_and_cells_exchanged)
   EXPECT_TRUE(pt.visitor().removed_edges().empty());
 }
 
+TEST(Edge_changes, of_a_point_and_its_own_images_cancel_where_the_vectors_of_the_cell_turn_round)
+{
+  const std::vector<Point> points{Point(0.5, 0.5)};
+  Watched pt(points, Cell(1, 0, 0.2, 1));
+  pt.update(points, Cell(-1, 0, -0.2, -1));
+  pt.update(points, Cell(-1, 0, 0.2, -1)); // the third edge is another one
+  std::set<Directed_edge> edges;
+  for (const Changes::Edge& e : pt.visitor().created_edges()) {
+    edges.insert({e.i, e.j, e.shift});
+    edges.insert(reversed({e.i, e.j, e.shift}));
+  }
+  EXPECT_EQ(edges, edges_both_ways(pt));
+  EXPECT_TRUE(pt.visitor().removed_edges().empty());
+}
+
 TEST(Edge_changes, are_as_many_where_points_that_go_far_are_wrapped_as_where_they_are_not)
 {
   std::mt19937_64 random(27);

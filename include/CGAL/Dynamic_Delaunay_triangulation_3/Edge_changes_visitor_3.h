@@ -6,7 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
-#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_balance.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
 
 #include <array>
@@ -74,7 +74,7 @@ public:
 
 private:
   template <class Simplex>
-  using Balance = Dynamic_Delaunay_triangulations_2::internal::Edge_balance_2<Simplex>;
+  using Balance = Dynamic_Delaunay_triangulations_2::internal::Edge_balance<Simplex>;
 
   template <class Simplex>
   static const Balance<Simplex>& listed(Balance<Simplex>& balance)

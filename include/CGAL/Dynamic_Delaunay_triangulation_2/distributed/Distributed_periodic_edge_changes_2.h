@@ -14,7 +14,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Torus_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_visitor_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_base.h>
 #include <CGAL/Periodic_cell_2.h>
 
 #include <algorithm>
@@ -172,9 +172,8 @@ points that were wrapped.
 class Distributed_periodic_edge_changes_2
 {
 public:
-  /// an edge from point `i` to the image of point `j` by `shift`, with the members of
-  /// `Periodic_edge_changes_visitor_2::Edge`, and ids of 64 bits with a sign.
-  using Edge = Dynamic_Delaunay_triangulations_2::internal::Periodic_edge_2<std::int64_t>;
+  /// an edge from point `i` to the image of point `j` by `shift`, with ids of 64 bits with a sign.
+  using Edge = Periodic_edge<std::int64_t, Periodic_shift_2>;
 
   /// compares the edges with those at the last call. At the first call all edges count as created.
   /// Collective.
