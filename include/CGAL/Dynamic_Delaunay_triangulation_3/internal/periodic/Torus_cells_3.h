@@ -133,15 +133,6 @@ public:
     set_mirror(l, k, -translation);
   }
 
-  // Cells that a flip has made, and their corners opposite to the facets around them: equally many
-  // of each cell, in the order of the cells.
-  struct Flipped
-  {
-    Few<Cell_index, 3> cells;
-    int number;
-    Few<Corner_index, 6> outer;
-  };
-
   // Replaces the two different cells at the facet opposite to k by three around the edge from the
   // vertex of k to the one beyond.
   Flipped flip_2_3(Corner_index k, std::size_t part = whole)

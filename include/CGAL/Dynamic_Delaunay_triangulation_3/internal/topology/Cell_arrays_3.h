@@ -42,6 +42,15 @@ class Cell_arrays_3
 public:
   using Cell = Cell_of_space;
 
+  // Cells that a flip has made, and their corners opposite to the facets around them: equally many
+  // of each cell, in the order of the cells.
+  struct Flipped
+  {
+    Few<Cell_index, 3> cells;
+    int number;
+    Few<Corner_index, 6> outer;
+  };
+
   static constexpr std::size_t max_cells = (std::size_t(1) << 30) - 1;
 
   Index number_of_cells() const { return Index(m_cells.size()); }

@@ -98,15 +98,6 @@ public:
     m_cells[cell_of(l)].mirrors[place_of(l)] = k;
   }
 
-  // Cells that a flip has made, and their corners opposite to the facets around them: equally many
-  // of each cell, in the order of the cells.
-  struct Flipped
-  {
-    Few<Cell_index, 3> cells;
-    int number;
-    Few<Corner_index, 6> outer;
-  };
-
   // Replaces the two cells at the facet opposite to k by three around the edge from the vertex of k
   // to the one beyond.
   Flipped flip_2_3(Corner_index k, std::size_t part = whole)
