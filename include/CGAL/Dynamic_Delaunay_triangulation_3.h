@@ -52,7 +52,7 @@ to triangulate all points anew. Memory: some 280 bytes a point, from the first f
     `Edge_changes_visitor_3`: has the functions of `Delaunay_update_visitor_base_3`, the default,
     which costs nothing.
   - `With_policy_2<UpdatePolicy>`, a model of `DelaunayUpdatePolicy_2`: says which frames are
-rebuilt at once, such as those in which a program knows that all is new. By default
+    rebuilt at once, such as those in which a program knows that all is new. By default
     `Always_dynamic_policy_2`.
 */
 template <class Traits, class... Options>
@@ -83,15 +83,14 @@ class Dynamic_Delaunay_triangulation_3
   using typename Base::Vertex_index;
   template <class Range>
   using If_range = Dynamic_Delaunay_triangulations_2::internal::If_range<Range>;
+  template <class Map>
+  using If_map = Dynamic_Delaunay_triangulations_2::internal::If_map<Map>;
 
 public:
   using typename Base::Settings;
   using typename Base::size_type;
 
   /// \name Creation
-  /// Triangulations can be copied, which takes linear time: from then on the same calls have the
-  /// same results for both. One that is moved from is empty, with copies of its policy and its
-  /// visitor.
   /// @{
 
   /// creates an empty triangulation, with the defaults of its policy and visitor.
@@ -123,6 +122,17 @@ public:
     this->insert(first, beyond);
   }
 
+  /// triangulates the points that `point_map` reads from the values of the range.
+  /// \tparam PointMap a model of `ReadablePropertyMap` from the range's values to `Point`.
+  template <class InputIterator, class PointMap, class = If_map<PointMap>>
+  Dynamic_Delaunay_triangulation_3(InputIterator first, InputIterator beyond,
+                                   const PointMap& point_map, const Settings& settings = Settings(),
+                                   const Traits& traits = Traits())
+    : Dynamic_Delaunay_triangulation_3(settings, traits)
+  {
+    this->insert(first, beyond, point_map, Emptyset_iterator());
+  }
+
   /// triangulates the points of a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   explicit Dynamic_Delaunay_triangulation_3(const Range& range,
@@ -132,13 +142,14 @@ public:
   {
   }
 
-  /// exchanges everything with the other triangulation.
-  void swap(Dynamic_Delaunay_triangulation_3& other) noexcept { Base::swap(other); }
-  /// calls `a.swap(b)`.
-  friend void swap(Dynamic_Delaunay_triangulation_3& a,
-                   Dynamic_Delaunay_triangulation_3& b) noexcept
+  /// triangulates the points that `point_map` reads from a range with `begin()` and `end()`.
+  template <class Range, class PointMap, class = If_range<Range>, class = If_map<PointMap>>
+  Dynamic_Delaunay_triangulation_3(const Range& range, const PointMap& point_map,
+                                   const Settings& settings = Settings(),
+                                   const Traits& traits = Traits())
+    : Dynamic_Delaunay_triangulation_3(std::begin(range), std::end(range), point_map, settings,
+                                       traits)
   {
-    a.swap(b);
   }
 
   /// @}

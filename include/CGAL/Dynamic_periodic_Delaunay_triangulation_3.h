@@ -103,9 +103,6 @@ public:
   using Vector = typename Traits::Vector_3;
 
   /// \name Creation
-  /// Triangulations can be copied, which takes linear time: from then on the same calls have the
-  /// same results for both. One that is moved from is empty, with the same cell, and copies of its
-  /// policy and its visitor.
   /// @{
 
   /// creates an empty triangulation of the torus with this cell, and with these settings, which may
@@ -122,8 +119,7 @@ public:
   /// \tparam InputIterator its values are convertible to `Point`.
   /// \throws Non_finite_coordinate_error_3 if a coordinate is NaN or infinite.
   /// \throws Periodic_range_error_3 if a point is 2<sup>20</sup> cells or more from the origin; in
-  /// a
-  ///   wire in any direction, in lengths of its vector.
+  /// a wire in any direction, in lengths of its vector.
   /// \throws Point_limit_error_2 if there are more points than 32 bits allow.
   /// \throws Periodic_cell_error_3 as above.
   template <class InputIterator>
@@ -135,6 +131,17 @@ public:
     this->insert(first, beyond);
   }
 
+  /// triangulates the points that `point_map` reads from the values of the range.
+  /// \tparam PointMap a model of `ReadablePropertyMap` from the range's values to `Point`.
+  template <class InputIterator, class PointMap, class = If_map<PointMap>>
+  Dynamic_periodic_Delaunay_triangulation_3(InputIterator first, InputIterator beyond,
+                                            const PointMap& point_map, const Periodic_cell_3& cell,
+                                            const Settings& settings = Settings())
+    : Dynamic_periodic_Delaunay_triangulation_3(cell, settings)
+  {
+    this->insert(first, beyond, point_map, Emptyset_iterator());
+  }
+
   /// triangulates the points of a range with `begin()` and `end()`.
   template <class Range, class = If_range<Range>>
   Dynamic_periodic_Delaunay_triangulation_3(const Range& range, const Periodic_cell_3& cell,
@@ -143,13 +150,14 @@ public:
   {
   }
 
-  /// exchanges everything with the other triangulation.
-  void swap(Dynamic_periodic_Delaunay_triangulation_3& other) noexcept { Base::swap(other); }
-  /// calls `a.swap(b)`.
-  friend void swap(Dynamic_periodic_Delaunay_triangulation_3& a,
-                   Dynamic_periodic_Delaunay_triangulation_3& b) noexcept
+  /// triangulates the points that `point_map` reads from a range with `begin()` and `end()`.
+  template <class Range, class PointMap, class = If_range<Range>, class = If_map<PointMap>>
+  Dynamic_periodic_Delaunay_triangulation_3(const Range& range, const PointMap& point_map,
+                                            const Periodic_cell_3& cell,
+                                            const Settings& settings = Settings())
+    : Dynamic_periodic_Delaunay_triangulation_3(std::begin(range), std::end(range), point_map, cell,
+                                                settings)
   {
-    a.swap(b);
   }
 
   /// @}
@@ -183,6 +191,13 @@ public:
                          const Periodic_cell_3& cell)
   {
     return this->update_frame(first, beyond, point_map, cell);
+  }
+
+  /// reads the positions by `point_map` from the values of a range with `begin()` and `end()`.
+  template <class Range, class PointMap, class = If_range<Range>, class = If_map<PointMap>>
+  Update_report_3 update(const Range& range, const PointMap& point_map, const Periodic_cell_3& cell)
+  {
+    return update(std::begin(range), std::end(range), point_map, cell);
   }
 
   /// @}

@@ -7,6 +7,7 @@
 #include "periodic_space_tested.h"
 
 #include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/property_map.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <gtest/gtest.h>
@@ -47,6 +48,26 @@ TEST_P(Periodic_space, may_have_any_number_of_points_in_any_cell)
       const Points points = points_of_cube(number, number % 2 == 0 ? 5 : 1);
       ASSERT_NO_FATAL_FAILURE(expect_exact(Dynamic(points, cell), points, cell)) << number;
     }
+}
+
+TEST_P(Periodic_space, has_points_that_are_parts_of_any_values)
+{
+  const Points points = points_of_cube(40, 1), moved = shaken(points, 0.05);
+  std::vector<std::pair<Point, int>> particles;
+  for (const Point& p : points)
+    particles.emplace_back(p, 7);
+  const CGAL::First_of_pair_property_map<std::pair<Point, int>> place;
+  const Cell &cell = kind.cells[0], &next = kind.cells[1];
+  Dynamic dt(particles, place, cell);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, cell));
+  ASSERT_NO_FATAL_FAILURE(
+      expect_exact(Dynamic(particles.begin(), particles.end(), place, cell), points, cell));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    particles[i].first = moved[i];
+  dt.update(particles, place);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, moved, cell));
+  dt.update(particles, place, next);
+  ASSERT_NO_FATAL_FAILURE(expect_exact(dt, moved, next));
 }
 
 TEST_P(Periodic_space, may_be_empty)

@@ -160,9 +160,14 @@ TEST(Points_in_space, may_be_parts_of_any_values)
   for (std::size_t i = 0; i < points.size(); ++i)
     particles.push_back({int(i), 1.5, points[i]});
 
+  const Center_of_particle center;
+  ASSERT_NO_FATAL_FAILURE(expect_exact(Dynamic(particles, center), points));
+  ASSERT_NO_FATAL_FAILURE(expect_exact(
+      Dynamic(particles.begin(), particles.end(), center, Dynamic::Settings()), points));
+
   Dynamic dt;
   std::vector<std::size_t> ids;
-  dt.insert(particles, Center_of_particle(), std::back_inserter(ids));
+  dt.insert(particles, center, std::back_inserter(ids));
   ASSERT_EQ(ids.size(), points.size());
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 
@@ -171,18 +176,17 @@ TEST(Points_in_space, may_be_parts_of_any_values)
     particle.center = Point(particle.center.x(), particle.center.z(), particle.center.y());
     moved[std::size_t(particle.id)] = particle.center;
   }
-  dt.update(particles, Center_of_particle());
+  dt.update(particles, center);
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, moved));
 
   particles.resize(3);
   for (Particle& particle : particles)
     particle.center = points[std::size_t(particle.id)];
   std::copy_n(points.begin(), 3, moved.begin());
-  dt.move(particles, Id_of_particle(), Center_of_particle());
+  dt.move(particles, Id_of_particle(), center);
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, moved));
   particles.front().id = -1;
-  EXPECT_THROW(dt.move(particles, Id_of_particle(), Center_of_particle()),
-               CGAL::Unknown_id_error_2);
+  EXPECT_THROW(dt.move(particles, Id_of_particle(), center), CGAL::Unknown_id_error_2);
 }
 
 TEST(Points_in_space, come_and_go_as_ranges)

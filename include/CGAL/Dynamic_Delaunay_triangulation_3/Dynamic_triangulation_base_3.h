@@ -146,6 +146,45 @@ public:
   using Settings = Dynamic_triangulation_settings_3<Policy, Visitor>;
 
   /// @}
+  /// \name Copies
+  /// @{
+
+  /// copies everything: points, ids, cells, policy and visitor. From then on the same calls have
+  /// the same results for both. Cost: linear.
+  Dynamic_triangulation_base_3(const Dynamic_triangulation_base_3& other)
+    : Dynamic_triangulation_base_3(other.state(), other.settings())
+  {
+    m_core->changes = other.m_core->changes;
+    m_core->kernel.take_over(other.m_core->kernel);
+  }
+  /// takes everything from the other triangulation, and leaves it empty, in periodic space with the
+  /// same cell, and with copies of its policy and its visitor.
+  Dynamic_triangulation_base_3(Dynamic_triangulation_base_3&& other)
+    : Dynamic_triangulation_base_3(other.state().without_points(), other.settings())
+  {
+    m_core.swap(other.m_core);
+  }
+  /// replaces this triangulation by a copy. If it throws, nothing has changed.
+  Dynamic_triangulation_base_3& operator=(const Dynamic_triangulation_base_3& other)
+  {
+    Dynamic_triangulation_base_3 copy(other);
+    swap(copy);
+    return *this;
+  }
+  /// takes everything from the other triangulation, and replaces this one by it.
+  Dynamic_triangulation_base_3& operator=(Dynamic_triangulation_base_3&& other)
+  {
+    Dynamic_triangulation_base_3 taken(std::move(other));
+    swap(taken);
+    return *this;
+  }
+
+  /// exchanges everything with the other triangulation.
+  void swap(Dynamic_triangulation_base_3& other) noexcept { m_core.swap(other.m_core); }
+  /// calls `a.swap(b)`.
+  friend void swap(Dynamic& a, Dynamic& b) noexcept { a.swap(b); }
+
+  /// @}
   /// \name Motion
   /// @{
 
@@ -323,31 +362,7 @@ protected:
     : m_core(std::make_unique<Core>(std::move(state), settings))
   {
   }
-  Dynamic_triangulation_base_3(const Dynamic_triangulation_base_3& other)
-    : Dynamic_triangulation_base_3(other.state(), other.settings())
-  {
-    m_core->changes = other.m_core->changes;
-    m_core->kernel.take_over(other.m_core->kernel);
-  }
-  Dynamic_triangulation_base_3(Dynamic_triangulation_base_3&& other)
-    : Dynamic_triangulation_base_3(other.state().without_points(), other.settings())
-  {
-    m_core.swap(other.m_core);
-  }
-  Dynamic_triangulation_base_3& operator=(const Dynamic_triangulation_base_3& other)
-  {
-    Dynamic_triangulation_base_3 copy(other);
-    swap(copy);
-    return *this;
-  }
-  Dynamic_triangulation_base_3& operator=(Dynamic_triangulation_base_3&& other)
-  {
-    Dynamic_triangulation_base_3 taken(std::move(other));
-    swap(taken);
-    return *this;
-  }
   ~Dynamic_triangulation_base_3() = default;
-  void swap(Dynamic_triangulation_base_3& other) noexcept { m_core.swap(other.m_core); }
 
   // Moves all points, as `update()` says, to another cell if there is one more argument.
   template <class InputIterator, class PointMap, class... Cell>
