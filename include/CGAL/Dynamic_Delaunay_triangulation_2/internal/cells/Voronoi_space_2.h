@@ -12,6 +12,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/proof/Certificate_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/queries/Site_geometry_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Star_polygon_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_errors_2.h>
 #include <CGAL/Periodic_cell_2.h>
 
@@ -74,6 +75,16 @@ public:
   Index cell(std::size_t id) const { return m_frame.vertex(id); }
   bool is_cell(Index c) const { return !m_frame.is_infinite(Vertex_index(c)); }
   std::size_t id_of_cell(Index c) const { return m_frame.id(Vertex_index(c)); }
+
+  // Fetches what `cell(id)` reads.
+  void prefetch(std::size_t id) const { state().ids().prefetch(Point_id(id)); }
+  // Before every eighth cell, fetches the stars of the next eight, but none from `beyond` on.
+  void prefetch_stars(Index c, Index beyond) const
+  {
+    const auto vertex = [](std::size_t i) { return Vertex_index(i == 0 ? 1 : i); }; // 0: no cell
+    if (state().spans_plane())
+      internal::prefetch_stars(state(), c, beyond, vertex);
+  }
 
   // As the point was given: in periodic space duplicates may be given by other images.
   Position_2 position(std::size_t id) const { return m_geometry.given_position(Point_id(id)); }

@@ -8,6 +8,7 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -45,6 +46,8 @@ public:
     return is_in_ring(id) ? m_covered[number_in_ring(id)].vertex
                           : Vertex_index(m_vertex_or_ring[id]);
   }
+  // Fetches what `vertex()` reads first.
+  void prefetch(Point_id id) const { internal::prefetch(&m_vertex_or_ring[id]); }
   Point_id representative(Vertex_index vertex) const { return m_representative[vertex]; }
   // Indexed by vertices.
   const Point_id* representatives() const { return m_representative.data(); }
