@@ -314,4 +314,32 @@ TEST(Predicates_in_periodic_space, are_right_where_a_filter_answers)
   EXPECT_GT(answers, 10000u);
 }
 
+// No vertex of a frame is looked at alone if a box around all tells that none is far out.
+TEST(A_box_around_vertices, tells_whether_one_may_be_far_out)
+{
+  using namespace CGAL::Dynamic_Delaunay_triangulations_3::internal;
+  std::mt19937_64 random(12);
+  std::uniform_real_distribution<double> fraction(-1.2, 2.2), side(0, 1);
+  std::size_t near = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Torus_3 torus(periodic_space_tested::torus.cells[std::size_t(i % 4)]);
+    const auto point = [&](auto& share) {
+      const double x = share(random), y = share(random);
+      return torus.combination(
+          CGAL::Dynamic_Delaunay_triangulations_3::Position_3{x, y, share(random)});
+    };
+    const auto low = point(fraction), way = point(side);
+    const auto high = low + CGAL::Dynamic_Delaunay_triangulations_3::Position_3{
+                                std::abs(way.x), std::abs(way.y), std::abs(way.z)};
+    bool is_one_far_out = false;
+    for (const double x : {low.x, high.x})
+      for (const double y : {low.y, high.y})
+        for (const double z : {low.z, high.z})
+          is_one_far_out = is_one_far_out || torus.is_far_out({x, y, z});
+    near += !torus.may_be_far_out(low, high);
+    ASSERT_LE(is_one_far_out, torus.may_be_far_out(low, high));
+  }
+  EXPECT_GT(near, 2000u);
+}
+
 } // namespace test_periodic_space_3

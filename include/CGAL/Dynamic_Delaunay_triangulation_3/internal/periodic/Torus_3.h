@@ -182,7 +182,7 @@ public:
   // Whether multiples of such a point can be counted.
   bool is_in_range(const Position_3& p) const
   {
-    if (std::abs(p.x) < m_near && std::abs(p.y) < m_near && std::abs(p.z) < m_near)
+    if (is_clearly_in_range(p))
       return true;
     if (is_wire() && !(squared_length(p) < max_multiple * max_multiple * squared_length(vector(0))))
       return false;
@@ -190,14 +190,14 @@ public:
            is_small({product(m_inverse_of_cell[0], p), product(m_inverse_of_cell[1], p),
                      product(m_inverse_of_cell[2], p)});
   }
+  // True only if they can, and never of NaN. A fraction is a product with a row of an inverse, the
+  // longest of which has a length of max_multiple / (2 m_near).
+  bool is_clearly_in_range(const Position_3& p) const { return sum_of_sizes(p) < m_near; }
 
-  // True only if none of a vector's fractions is larger than a quarter. A fraction is a product
-  // with a row of an inverse, the longest of which has a length of at most max_multiple / (2
-  // m_near).
+  // True only if none of a vector's fractions is larger than a quarter.
   bool is_short(const Position_3& v) const
   {
-    const double bound = 0.28 / max_multiple * m_near; // 1 / (2 sqrt(3))
-    return std::abs(v.x) < bound && std::abs(v.y) < bound && std::abs(v.z) < bound;
+    return sum_of_sizes(v) < 0.49 / max_multiple * m_near;
   }
 
   // Whether a position is so far out of the basis' parallelepiped that it is wrapped.
@@ -208,6 +208,19 @@ public:
       return false;
     const Position_3 f = fractions(p);
     return !((std::max)({f.x, f.y, f.z}) < 2 && (std::min)({f.x, f.y, f.z}) > -1);
+  }
+
+  // False only if no position of a box is.
+  bool may_be_far_out(const Position_3& low, const Position_3& high) const
+  {
+    const Position_3 f = fractions(0.5 * (low + high)), half = 0.5 * (high - low);
+    const auto is_near = [&](double fraction, const Position_3& row) {
+      const double reach =
+          std::abs(row.x) * half.x + std::abs(row.y) * half.y + std::abs(row.z) * half.z;
+      return std::abs(fraction - 0.5) + reach < 1.4; // and not 1.5, so that rounding does not count
+    };
+    return !(is_near(f.x, m_inverse[0]) && is_near(f.y, m_inverse[1]) &&
+             is_near(f.z, m_inverse[2]));
   }
 
   // What so many of the basis are of the cell's vectors.
@@ -333,6 +346,11 @@ private:
     set_near();
   }
 
+  // That of absolute values: at least the length.
+  static double sum_of_sizes(const Position_3& p)
+  {
+    return std::abs(p.x) + std::abs(p.y) + std::abs(p.z);
+  }
   static bool is_small(const Position_3& p)
   {
     return std::abs(p.x) < max_multiple && std::abs(p.y) < max_multiple &&

@@ -21,6 +21,10 @@ inline Multiples_3 operator-(const Multiples_3& m, const Multiples_3& n)
 {
   return {m[0] - n[0], m[1] - n[1], m[2] - n[2]};
 }
+inline bool are_zero(const Multiples_3& m)
+{
+  return (m[0] | m[1] | m[2]) == 0;
+}
 
 // A translation of the lattice by few multiples, below 2^9 in absolute value, packed into one
 // integer, m[0] + 2^10 m[1] + 2^20 m[2]: so one addition adds all three.

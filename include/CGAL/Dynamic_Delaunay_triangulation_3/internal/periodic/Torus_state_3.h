@@ -31,7 +31,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 // Where a vertex is: at `base` plus multiples of the basis, without rounding. The base is the point
 // as it was given, so that one that is wrapped into the cell gets other multiples, and stays where
-// it is; `position` is the sum, rounded.
+// it is; `position` is the sum, rounded. Without multiples, as nearly all are that are not wrapped,
+// it is the base itself.
 struct Torus_place_3
 {
   Torus_place_3() = default;
@@ -41,7 +42,7 @@ struct Torus_place_3
   {
   }
   Torus_place_3(const Position_3& b, const Multiples_3& m, const Torus_3& torus)
-    : position(b + torus.combination(m))
+    : position(are_zero(m) ? b : b + torus.combination(m))
     , base(b)
     , multiples(m)
   {
@@ -51,7 +52,8 @@ struct Torus_place_3
   Multiples_3 multiples{0, 0, 0};
 };
 
-// The places of the vertices, present or those of the last frame.
+// The places of the vertices, present or those of the last frame. Bases are neither read nor
+// written where they are the positions: in calm frames of many points it is memory that counts.
 class Torus_positions_3
 {
 public:
@@ -59,36 +61,43 @@ public:
 
   const Position_3* data() const { return m_positions.data(); }
   const Position_3& position(Vertex_index v) const { return m_positions[v]; }
-  const Position_3& base(Vertex_index v) const { return m_bases[v].base; }
-  const Multiples_3& multiples(Vertex_index v) const { return m_bases[v].multiples; }
+  Position_3 base(Vertex_index v) const
+  {
+    return are_zero(m_multiples[v]) ? m_positions[v] : m_bases[v].position();
+  }
+  const Multiples_3& multiples(Vertex_index v) const { return m_multiples[v]; }
   Index number() const { return Index(m_positions.size()); }
   Torus_place_3 place(Vertex_index v) const
   {
     Torus_place_3 place(m_positions[v]);
-    place.base = m_bases[v].base;
-    place.multiples = m_bases[v].multiples;
+    place.base = base(v);
+    place.multiples = m_multiples[v];
     return place;
   }
 
   void set(Vertex_index v, const Torus_place_3& place)
   {
     m_positions[v] = place.position;
-    m_bases[v] = {place.base, place.multiples};
+    m_multiples[v] = place.multiples;
+    if (!are_zero(place.multiples))
+      m_bases[v] = {place.base.x, place.base.y, place.base.z};
   }
   // Moves a vertex to where another base is, with the multiples that `last` has for it.
   void set(Vertex_index v, const Position_3& base, const Torus_positions_3& last,
            const Torus_3& torus)
   {
-    const Multiples_3& m = last.m_bases[v].multiples;
-    m_positions[v] = (m[0] | m[1] | m[2]) == 0 ? base : base + torus.combination(m);
-    m_bases[v].base = base;
-    for (int i = 0; i < 3; ++i)
-      m_bases[v].multiples[i] = m[i];
+    const Multiples_3 m = last.m_multiples[v];
+    m_multiples[v] = m;
+    if (are_zero(m))
+      return set_position(v, base);
+    set_position(v, base + torus.combination(m));
+    m_bases[v] = {base.x, base.y, base.z};
   }
   // At least one. Nowhere is the infinite vertex, so floating point proves nothing of it.
   void resize(Index number)
   {
     m_positions.resize(number);
+    m_multiples.resize(number);
     m_bases.resize(number);
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     m_positions[Vertex_index(infinite_index)] = {nan, nan, nan};
@@ -96,33 +105,49 @@ public:
   void swap(Torus_positions_3& other)
   {
     m_positions.swap(other.m_positions);
+    m_multiples.swap(other.m_multiples);
     m_bases.swap(other.m_bases);
   }
 
 private:
-  struct Base
+  // One by one: g++ 12 would store all on the stack, in pieces, and load it again in others, which
+  // waits. Reading a frame takes 3.3 nanoseconds a point so, 5.1 otherwise.
+  void set_position(Vertex_index v, const Position_3& p)
   {
-    Position_3 base;
-    Multiples_3 multiples;
+    Position_3& position = m_positions[v];
+    position.x = p.x;
+    position.y = p.y;
+    position.z = p.z;
+  }
+
+  struct Base // of three doubles, not four
+  {
+    Position_3 position() const { return {x, y, z}; }
+    double x, y, z;
   };
 
   Column<Vertex_index, Position_3> m_positions;
-  Column<Vertex_index, Base> m_bases;
+  Column<Vertex_index, Multiples_3> m_multiples;
+  Column<Vertex_index, Base> m_bases; // means something where a vertex has multiples
 };
 
 // What the error of rounded images depends on.
 struct Torus_measures_3
 {
-  // Each coordinate by itself: one maximum of all would wait for the one before, six times a place.
   void include(const Position_3& base, const Position_3& position, const Multiples_3& multiples)
   {
     include(position);
-    if ((multiples[0] | multiples[1] | multiples[2]) == 0) // the base is the position
-      return;
+    if (!are_zero(multiples))
+      include_base(base, multiples);
+  }
+  // One that is not the position.
+  void include_base(const Position_3& base, const Multiples_3& multiples)
+  {
     include(base);
     sum = (std::max)(sum, double(std::abs(multiples[0])) + std::abs(multiples[1]) +
                               std::abs(multiples[2]));
   }
+  // Each coordinate by itself: one maximum of all would wait for the one before, six times a place.
   void include(const Position_3& p)
   {
     extent = {(std::max)(std::abs(p.x), extent.x), (std::max)(std::abs(p.y), extent.y),
@@ -140,6 +165,20 @@ struct Torus_measures_3
   Position_3 extent{0, 0, 0}; // of all coordinates' absolute values
   double sum = 0;             // of absolute values of the multiples of a vertex
   bool has_strayed = false;   // whether a vertex is far out of the basis' parallelepiped
+};
+
+// The smallest box around positions: six instructions for each of them.
+struct Torus_box_3
+{
+  void include(const Position_3& p)
+  {
+    low = {(std::min)(p.x, low.x), (std::min)(p.y, low.y), (std::min)(p.z, low.z)};
+    high = {(std::max)(p.x, high.x), (std::max)(p.y, high.y), (std::max)(p.z, high.z)};
+  }
+
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+  Position_3 low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
 };
 
 // The positions and the cell of a frame, before they count; from the exchange on, those of the last
@@ -180,17 +219,12 @@ public:
   bool set(const State& state, Vertex_index v, const Point& p)
   {
     const Position_3 base = approximation(p);
-    if (!accepts(state, p))
-      return false;
-    if (!m_torus && state.torus.is_short(base - state.positions.base(v))) {
+    if (!m_torus && state.torus.is_clearly_in_range(base) &&
+        state.torus.is_short(base - state.positions.base(v))) {
       positions.set(v, base, state.positions, state.torus);
       return true;
     }
-    const Torus_3& torus = m_torus ? *m_torus : state.torus;
-    const Position_3 position = state.positions.position(v);
-    const Position_3 from = m_torus ? torus.carried(position, state.torus) : position;
-    positions.set(v, Torus_place_3(base, Torus_3::nearest(torus.fractions(from - base)), torus));
-    return true;
+    return set_anywhere(state, v, p);
   }
   template <class State>
   bool accepts(const State& state, const Point& p) const
@@ -252,6 +286,19 @@ public:
   bool are_exact = true;      // always
 
 private:
+  template <class State>
+  BOOST_NOINLINE bool set_anywhere(const State& state, Vertex_index v, const Point& p)
+  {
+    if (!accepts(state, p))
+      return false;
+    const Position_3 base = approximation(p);
+    const Torus_3& torus = m_torus ? *m_torus : state.torus;
+    const Position_3 position = state.positions.position(v);
+    const Position_3 from = m_torus ? torus.carried(position, state.torus) : position;
+    positions.set(v, Torus_place_3(base, Torus_3::nearest(torus.fractions(from - base)), torus));
+    return true;
+  }
+
   std::optional<Torus_3> m_torus; // if the cell is another one
   bool m_can_mend = true;
 };
@@ -533,12 +580,21 @@ private:
   {
     std::array<Torus_measures_3, Parts::max_parts> found;
     Parts::for_each(places.number() - 1, [&](std::size_t part, std::size_t first, std::size_t end) {
+      const Vertex_index begin(first + 1), last(end);
       Torus_measures_3 measures;
-      for (Vertex_index v(first + 1); v <= end; ++v) {
-        measures.include(places.base(v), places.position(v), places.multiples(v));
-        if (looks_for_strayed)
-          measures.has_strayed |= torus.is_far_out(places.position(v));
+      Torus_box_3 box;
+      for (Vertex_index v(begin); v <= last; ++v) {
+        box.include(places.position(v));
+        if (!are_zero(places.multiples(v)))
+          measures.include_base(places.base(v), places.multiples(v));
       }
+      if (begin <= last) {
+        measures.include(box.low);
+        measures.include(box.high);
+      }
+      if (looks_for_strayed && torus.may_be_far_out(box.low, box.high))
+        for (Vertex_index v(begin); v <= last; ++v)
+          measures.has_strayed |= torus.is_far_out(places.position(v));
       found[part] = measures;
     });
     Torus_measures_3 measures;

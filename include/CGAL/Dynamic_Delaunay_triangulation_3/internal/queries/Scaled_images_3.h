@@ -87,8 +87,7 @@ public:
   // Rounded once, but for an error of 2^-60 of its largest coordinate.
   Position_3 vector(const Site& from, const Site& to) const
   {
-    const Position_3 &p = m_state.positions.base(from.vertex),
-                     &q = m_state.positions.base(to.vertex);
+    const Position_3 p = m_state.positions.base(from.vertex), q = m_state.positions.base(to.vertex);
     const Multiples_3 m = multiples(from, to);
     if (m == no_multiples)
       return this->scaled(q - p);
@@ -121,8 +120,7 @@ public:
 
   Exact_vector exact_vector(const Site& from, const Site& to) const
   {
-    const Position_3 &p = m_state.positions.base(from.vertex),
-                     &q = m_state.positions.base(to.vertex);
+    const Position_3 p = m_state.positions.base(from.vertex), q = m_state.positions.base(to.vertex);
     const Periodic_shift_3 n = shift(from, to);
     const auto exact = [&](double start, double end, std::size_t k) {
       Number sum(Number(end) - Number(start));
@@ -208,7 +206,7 @@ public:
   }
 
   // Where the point of a vertex, or one that it covers, is as it was given.
-  const Position_3& given_position(Vertex_index v) const { return m_state.positions.base(v); }
+  Position_3 given_position(Vertex_index v) const { return m_state.positions.base(v); }
   Position_3 given_position(Vertex_index, const Point& covered) const
   {
     return approximation(covered);
