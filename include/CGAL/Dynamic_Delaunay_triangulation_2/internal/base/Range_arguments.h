@@ -13,6 +13,7 @@
 #include <iterator>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
@@ -28,6 +29,15 @@ template <class Iterator>
 constexpr bool is_random_access =
     std::is_convertible_v<typename std::iterator_traits<Iterator>::iterator_category,
                           std::random_access_iterator_tag>;
+
+// Whether an iterator is known to point to values in memory. Others may be costly to read twice.
+template <class Iterator, class Value = typename std::iterator_traits<Iterator>::value_type>
+constexpr bool is_in_memory = std::is_pointer_v<Iterator> ||
+                              std::is_same_v<Iterator, typename std::vector<Value>::iterator> ||
+                              std::is_same_v<Iterator, typename std::vector<Value>::const_iterator>;
+// iterators over bool: std::vector<bool> has no values to point to
+template <class Iterator>
+constexpr bool is_in_memory<Iterator, bool> = false;
 
 // Maps that read the parts of the pairs to which an iterator points.
 template <class Iterator>

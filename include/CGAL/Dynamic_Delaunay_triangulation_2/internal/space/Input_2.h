@@ -65,15 +65,6 @@ struct Change_2
   }
 };
 
-// Whether an iterator is known to point to values in memory. Others may be costly to read twice.
-template <class Iterator, class Value = typename std::iterator_traits<Iterator>::value_type>
-constexpr bool is_in_memory = std::is_pointer_v<Iterator> ||
-                              std::is_same_v<Iterator, typename std::vector<Value>::iterator> ||
-                              std::is_same_v<Iterator, typename std::vector<Value>::const_iterator>;
-// iterators over bool: std::vector<bool> has no values to point to
-template <class Iterator>
-constexpr bool is_in_memory<Iterator, bool> = false;
-
 // Throws if a triangulation cannot hold so many points.
 inline void check_limit(std::size_t number)
 {

@@ -6,9 +6,12 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Range_arguments.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
 
+#include <boost/config.hpp>
 #include <boost/property_map/property_map.hpp>
 
 #include <atomic>
@@ -100,7 +103,9 @@ private:
     std::atomic<bool> are_right{true}, are_exact{true};
     Parts::for_each(state.number_of_vertices(),
                     [&](std::size_t, std::size_t begin, std::size_t end) {
+                      const Points_fetched_ahead<RandomAccessIterator> fetched(first, ids);
                       for (Vertex_index v(begin + 1); v <= end; ++v) {
+                        fetched.prefetch(v);
                         if (!ids.has_representative(v)) {
                           staged.positions.set(v, state.positions.place(v));
                           continue;
@@ -127,6 +132,41 @@ private:
         staged.check(state, get(point_map, value), id); // one of them throws
       }
   }
+
+  // Consecutive vertices are near to each other in space, but their points may be scattered over
+  // the range. Where these follow another curve, reading 100,000 of them takes half of the time
+  // then.
+  template <class RandomAccessIterator>
+  class Points_fetched_ahead
+  {
+  public:
+    Points_fetched_ahead(RandomAccessIterator first, const Ids& ids)
+      : m_first(first)
+      , m_representatives(ids.representatives())
+      , m_last(ids.number_of_representatives())
+    {
+      if (m_last < Dynamic_Delaunay_triangulations_2::internal::min_vertices_to_prefetch)
+        m_last = 0;
+    }
+
+    // Fetches that of a later vertex.
+    BOOST_FORCEINLINE void prefetch(std::size_t v) const
+    {
+      using Dynamic_Delaunay_triangulations_2::internal::is_in_memory;
+      using Difference = typename std::iterator_traits<RandomAccessIterator>::difference_type;
+      if constexpr (is_in_memory<RandomAccessIterator>)
+        if (v + ahead <= m_last && m_representatives[v + ahead] != null_index)
+          Dynamic_Delaunay_triangulations_2::internal::prefetch(
+              &*(m_first + Difference(m_representatives[v + ahead])));
+    }
+
+  private:
+    static constexpr std::size_t ahead = 32;
+
+    RandomAccessIterator m_first;
+    const Point_id* m_representatives;
+    std::size_t m_last; // of the vertices, or 0 where they are few
+  };
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
