@@ -15,6 +15,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
@@ -44,16 +47,23 @@ public:
   const Position_3& position(Vertex_index v) const { return m_positions[v]; }
   double squared_error() const { return m_squared_error; }
 
-  // What an image of a cell's vertices, or of those beyond its facets, is translated by.
-  enum class Shifts { NONE, SMALL, LARGE };
-  BOOST_FORCEINLINE static Shifts shifts_of(const Cell& cell)
+  // Whether a cell's vertices, or those beyond its facets, have shifts: all that is asked of each
+  // cell. How large they are is asked of those alone that have some: so a pass takes 8.8 instead of
+  // 10.0 nanoseconds a cell.
+  BOOST_FORCEINLINE static bool has_shifts(const Cell& cell)
   {
-    int codes = 0, beyond_table = 0;
-    for (int i = 0; i < 4; ++i) {
-      codes |= cell.shifts[i].code | cell.beyond[i].code;
+    std::array<std::uint64_t, 4> codes; // eight in four words
+    std::memcpy(codes.data(), &cell.shifts, sizeof(cell.shifts));
+    std::memcpy(codes.data() + 2, &cell.beyond, sizeof(cell.beyond));
+    return (codes[0] | codes[1] | codes[2] | codes[3]) != 0;
+  }
+  // Whether the table has the translations of all of these.
+  BOOST_FORCEINLINE static bool has_small_shifts(const Cell& cell)
+  {
+    int beyond_table = 0;
+    for (int i = 0; i < 4; ++i)
       beyond_table |= (cell.shifts[i].code + middle) | (cell.beyond[i].code + middle);
-    }
-    return codes == 0 ? Shifts::NONE : (beyond_table & ~table) == 0 ? Shifts::SMALL : Shifts::LARGE;
+    return (beyond_table & ~table) == 0;
   }
 
   // The vertices of a cell have the places from 0 to 3, and those beyond its facets from 4 to 7.
@@ -64,13 +74,24 @@ public:
     const Index k = cell.mirrors[place - 4];
     return m_cells[k / 4].vertices[k % 4];
   }
-  // The image of one of them, for lanes. Its shift must be small.
-  BOOST_FORCEINLINE Translated_3 image(const Cell& cell, int place) const
+  // The numbers of translations by small shifts, of a cell's places.
+  using Numbers = Few<unsigned, 8>;
+  BOOST_FORCEINLINE static Numbers translations_of(const Cell& cell)
   {
-    const int code = (place < 4 ? cell.shifts[place] : cell.beyond[place - 4]).code + middle;
-    const int number = (code & low) | (code >> (10 - bits) & low << bits) |
-                       (code >> 2 * (10 - bits) & low << 2 * bits);
-    return {&m_positions[vertex(cell, place)], &m_translations[std::size_t(number)]};
+    Numbers numbers;
+    std::memcpy(numbers.begin(), &cell.shifts, sizeof(cell.shifts));
+    std::memcpy(numbers.begin() + 4, &cell.beyond, sizeof(cell.beyond));
+    for (unsigned& number : numbers) { // by instructions that compute all at once
+      const unsigned code = number + unsigned(middle);
+      number = (code & low) | (code >> (10 - bits) & low << bits) |
+               (code >> 2 * (10 - bits) & low << 2 * bits);
+    }
+    return numbers;
+  }
+  // The image of a place, for lanes.
+  BOOST_FORCEINLINE Translated_3 image(const Cell& cell, const Numbers& numbers, int place) const
+  {
+    return {&m_positions[vertex(cell, place)], &m_translations[numbers[place]]};
   }
 
 private:
@@ -145,9 +166,8 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
                                                 std::vector<Cell_index>& unproved)
 {
   using Dynamic_Delaunay_triangulations_2::internal::prefetch;
-  using Shifts = Torus_view_3::Shifts;
   constexpr std::size_t ahead = 16;
-  Waiting_cells_3 plain, shifted;
+  Waiting_cells_3 plain, others, shifted;
   const auto test_plain = [&](const auto& some) CGAL_DYNAMIC_DELAUNAY_INLINE {
     append_unproved_in_torus(
         some,
@@ -157,11 +177,21 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
         view.squared_error(), learned, unproved);
   };
   const auto test_shifted = [&](const auto& some) CGAL_DYNAMIC_DELAUNAY_INLINE {
+    Few<Torus_view_3::Numbers, std::decay_t<decltype(some)>::size> numbers;
+    for (int i = 0; i < numbers.size; ++i)
+      numbers[i] = view.translations_of(view.cell(some[i]));
     append_unproved_in_torus(
         some,
-        [&](int i, int place)
-            CGAL_DYNAMIC_DELAUNAY_INLINE { return view.image(view.cell(some[i]), place); },
+        [&](int i, int place) CGAL_DYNAMIC_DELAUNAY_INLINE {
+          return view.image(view.cell(some[i]), numbers[i], place);
+        },
         view.squared_error(), learned, unproved);
+  };
+  const auto sort_by_size = [&](const Few<Cell_index, 1>& some) CGAL_DYNAMIC_DELAUNAY_INLINE {
+    const bool is_small = view.has_small_shifts(view.cell(some[0]));
+    shifted.add_if(is_small, some[0]);
+    if (!is_small) // left to exact predicates
+      unproved.push_back(some[0]);
   };
   for (std::size_t n = 0; n < cells;) {
     const std::size_t beyond = (std::min)(n + Waiting_cells_3::block, cells);
@@ -172,12 +202,11 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
         for (const Corner_index k : view.cell(cell_at(n + ahead)).mirrors)
           prefetch(view.cells() + k / 4);
       const Cell_index c = cell_at(n);
-      const Shifts shifts = view.shifts_of(view.cell(c));
-      plain.add_if(shifts == Shifts::NONE, c);
-      shifted.add_if(shifts == Shifts::SMALL, c);
-      if (shifts == Shifts::LARGE) // left to exact predicates
-        unproved.push_back(c);
+      const bool is_plain = !view.has_shifts(view.cell(c));
+      plain.add_if(is_plain, c);
+      others.add_if(!is_plain, c);
     }
+    others.template take<1>(sort_by_size);
     plain.template take<lanes>(test_plain);
     shifted.template take<lanes>(test_shifted);
   }
