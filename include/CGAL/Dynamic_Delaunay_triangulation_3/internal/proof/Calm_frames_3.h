@@ -99,7 +99,7 @@ private:
       for (Vertex_index v(first + 1); v <= beyond; ++v) {
         const double square =
             squared_length(state.positions.position(v) - previous.position(v) - mean);
-        largest = square <= largest ? largest : square; // also NaN
+        largest = (std::max)(square, largest); // one instruction
       }
       squares[part] = largest;
     });
