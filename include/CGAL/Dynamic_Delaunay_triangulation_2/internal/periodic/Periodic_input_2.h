@@ -65,8 +65,9 @@ public:
   // Throws if a point with one of these ids is too far away.
   void check(const std::vector<Point>& points, const std::vector<Point_id>& ids) const
   {
-    for (std::size_t i = 0; i < points.size(); ++i)
+    Parts::for_each_element(points.size(), [&](std::size_t i) {
       checked_position(points[i], ids[i], m_state.torus());
+    });
   }
 
   // A FRAME -------------------------------------------------------------------------------------

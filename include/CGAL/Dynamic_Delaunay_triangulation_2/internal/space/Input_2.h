@@ -297,16 +297,29 @@ public:
   static void read_newcomers(InputIterator first, InputIterator beyond, const PointMap& point_map,
                              const State& state, Change_2<Point>& change)
   {
+    using Parts = typename State::Parts;
     std::vector<Point>& points = change.coming_points;
     const std::size_t present = state.ids().number_of_points();
-    points.reserve(length_within_limit(first, beyond, present));
-    for (; first != beyond; ++first) {
-      check_limit(present + points.size() + 1);
-      points.push_back(get(point_map, *first));
-    }
+    const std::size_t length = length_within_limit(first, beyond, present);
+    if constexpr (is_random_access<InputIterator>) {
+      points.resize(length);
+      Parts::for_each_element(length, [&](std::size_t i) {
+        auto&& value = *(first + typename std::iterator_traits<InputIterator>::difference_type(i));
+        points[i] = get(point_map, value);
+      });
+    } else
+      for (; first != beyond; ++first) {
+        check_limit(present + points.size() + 1);
+        points.push_back(get(point_map, *first));
+      }
     state.ids().list_next_ids(points.size(), change.coming);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      checked_position(points[i], change.coming[i], change.are_exact);
+    const std::size_t inexact = Parts::sum(points.size(), [&](std::size_t i, std::size_t end) {
+      bool are_exact = true;
+      for (; i < end; ++i)
+        checked_position(points[i], change.coming[i], are_exact);
+      return std::size_t(!are_exact);
+    });
+    change.are_exact = change.are_exact && inexact == 0;
   }
 
   // Appends the ids of a range in its order. Throws if one has no point, or occurs more than once.
