@@ -141,7 +141,7 @@ public:
       m_marks.clear();
       throw;
     }
-    list_broken(lists.size());
+    list_broken<Parts>(lists.size());
     if (m_edges.size() > m_state->positions().size()) // the repair needs the memory
       std::vector<Broken_edges>().swap(m_broken);
   }
@@ -194,15 +194,21 @@ private:
     }
   }
 
+  // Illegal edges are the last ones.
+  template <class Parts>
   void list_broken(std::size_t lists)
   {
-    for (std::size_t i = 0; i < lists; ++i)
-      m_edges.insert(m_edges.end() - std::ptrdiff_t(m_number_of_illegal),
-                     m_broken[i].others.begin(), m_broken[i].others.end());
-    for (std::size_t i = 0; i < lists; ++i) {
-      m_edges.insert(m_edges.end(), m_broken[i].illegal.begin(), m_broken[i].illegal.end());
-      m_number_of_illegal += m_broken[i].illegal.size();
-    }
+    using Dynamic_Delaunay_triangulations_2::internal::append_lists;
+    const auto before = m_edges.end() - std::ptrdiff_t(m_number_of_illegal);
+    const std::vector<Edge_index> illegal(before, m_edges.end());
+    m_edges.erase(before, m_edges.end());
+    append_lists<Parts>(
+        lists, [this](std::size_t i) -> const auto& { return m_broken[i].others; }, m_edges);
+    m_edges.insert(m_edges.end(), illegal.begin(), illegal.end());
+    const std::size_t size = m_edges.size();
+    append_lists<Parts>(
+        lists, [this](std::size_t i) -> const auto& { return m_broken[i].illegal; }, m_edges);
+    m_number_of_illegal += m_edges.size() - size;
   }
 
   // Prefetches the data of the edges that a pass over `edges` will test soon after edge i.

@@ -246,6 +246,29 @@ void remove_by_parts(std::vector<Index_of_kind>& indices, std::size_t least, con
   indices.erase(std::remove(indices.begin(), indices.end(), null_index), indices.end());
 }
 
+// Appends several lists, the k-th of which is list_of(k). Threads copy them if they are long. If it
+// throws, nothing has changed.
+template <class Parts, class List_of, class Element>
+void append_lists(std::size_t number, const List_of& list_of, std::vector<Element>& list)
+{
+  const auto size_before = [&](std::size_t k) {
+    std::size_t size = 0;
+    for (std::size_t i = 0; i < k; ++i)
+      size += list_of(i).size();
+    return size;
+  };
+  const std::size_t first = list.size(), more = size_before(number);
+  reserve_extra(list, more); // nothing throws from here on
+  if (Parts::are_shared(Parts::number(more))) {
+    list.resize(first + more);
+    Parts::run(number, [&](std::size_t k) {
+      std::copy(list_of(k).begin(), list_of(k).end(), list.data() + first + size_before(k));
+    });
+  } else
+    for (std::size_t k = 0; k < number; ++k)
+      list.insert(list.end(), list_of(k).begin(), list_of(k).end());
+}
+
 // Appends what append(i, beyond, list) appends for all parts [i, beyond) of a range, in their
 // order. Threads share the parts. What is appended may depend on where a part begins, as on a torus
 // edges across the border of the cell follow those that are tested in lanes.
@@ -260,8 +283,8 @@ void append_by_parts(std::size_t size, std::size_t least, std::vector<Element>& 
   Parts::for_each(size, least, [&](std::size_t part, std::size_t first, std::size_t beyond) {
     append(first, beyond, lists[part]);
   });
-  for (const std::vector<Element>& some : lists)
-    list.insert(list.end(), some.begin(), some.end());
+  append_lists<Parts>(
+      parts, [&](std::size_t part) -> const auto& { return lists[part]; }, list);
 }
 
 // Throws if an id occurs more than once.

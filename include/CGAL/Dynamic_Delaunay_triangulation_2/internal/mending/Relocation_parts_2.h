@@ -157,10 +157,11 @@ private:
           [&](std::size_t i) { return parts.part_of(m_positions[i]); });
       begin(parts);
       const auto collect = [&] {
-        for (Part& part : m_parts) {
-          taken.insert(taken.end(), part.taken.begin(), part.taken.end());
+        append_lists<Parts>(
+            m_parts.size(), [this](std::size_t i) -> const auto& { return m_parts[i].taken; },
+            taken);
+        for (Part& part : m_parts)
           part.taken.clear();
-        }
       };
       try {
         m_editor.edit_in_parts(number(), list.size(), [&](std::size_t part, Edit& edit) {

@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Renumbering.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Lattice_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/periodic/Periodic_visitor_calls_2.h>
@@ -234,15 +235,25 @@ public:
   // SHIFTS OF CORNERS ---------------------------------------------------------------------------
 
   void reserve_for_slots(std::size_t number) { reserve_extra(shifts(), 6 * number); }
-  void append_slots(std::size_t number) { shifts().resize(shifts().size() + 6 * number, no_shift); }
+  template <class Parts>
+  void append_slots(std::size_t number)
+  {
+    const std::size_t first = shifts().size();
+    shifts().resize(first + 6 * number);
+    Parts::for_each_element(6 * number,
+                            [&](std::size_t i) { shifts()[Halfedge_index(first + i)] = no_shift; });
+  }
   void resize_data(std::size_t, std::size_t faces) { shifts().resize(3 * faces, no_shift); }
   static void renew_vertex(Vertex_index) {}
-  static void move_last_vertex_data_to(Vertex_index) {}
-  void move_last_face_data_to(Face_index f)
+  // Gives the numbers of removed faces to the last ones. Threads share these.
+  template <class Parts>
+  void fill(const Filled_gaps<Face_index>& faces, const Filled_gaps<Vertex_index>&)
   {
-    const Halfedge_index last(shifts().size() - 3);
-    set_shifts(f, shifts()[last], shifts()[last + 1], shifts()[last + 2]);
-    shifts().resize(last);
+    faces.template for_each_move<Parts>([this](Face_index from, Face_index to) {
+      const Halfedge_index h = Arrays::halfedge_in(from, 0);
+      set_shifts(to, shifts()[h], shifts()[h + 1], shifts()[h + 2]);
+    });
+    resize_data(0, faces.number_kept());
   }
 
 private:

@@ -7,6 +7,7 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Renumbering.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Flat_elements_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Halfedge_arrays_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Writable_halfedge_arrays_2.h>
@@ -129,6 +130,7 @@ public:
     m_writer.storage().reserve_data(m_arrays.number_of_vertices() + number,
                                     m_arrays.number_of_faces() + 2 * number);
   }
+  template <class Parts>
   void append_slots(std::size_t number)
   {
     resize_data(m_arrays.number_of_vertices() + number, m_arrays.number_of_faces() + 2 * number);
@@ -138,11 +140,19 @@ public:
     m_writer.storage().resize_data(vertices, faces);
   }
   void renew_vertex(Vertex_index v) { m_writer.storage().vertex_data().reset(v); }
-  void move_last_vertex_data_to(Vertex_index v)
+  // Gives the numbers of removed faces and vertices to the last ones.
+  template <class Parts>
+  void fill(const Filled_gaps<Face_index>& faces, const Filled_gaps<Vertex_index>& vertices)
   {
-    m_writer.storage().vertex_data().move_last_to(v);
+    const auto fill = [](auto& data, const auto& gaps) {
+      if (data.empty())
+        data.resize(gaps.number_kept());
+      else
+        gaps.for_each_from_last([&](Index, Index to) { data.move_last_to(to); });
+    };
+    fill(m_writer.storage().face_data(), faces);
+    fill(m_writer.storage().vertex_data(), vertices);
   }
-  void move_last_face_data_to(Face_index f) { m_writer.storage().face_data().move_last_to(f); }
 
 private:
   // Tells the user's visitor, if there is one, of the change that `make()` returns.

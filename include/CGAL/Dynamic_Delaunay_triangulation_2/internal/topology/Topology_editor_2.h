@@ -576,7 +576,7 @@ private:
     const std::size_t vertices = m_arrays.number_of_vertices(), faces = m_arrays.number_of_faces();
     try {
       m_positions.template append<Parts>(number, point);
-      m_editing.append_slots(number);
+      m_editing.template append_slots<Parts>(number);
     } catch (...) {
       m_positions.resize(vertices);
       m_editing.resize_data(vertices, faces);
@@ -691,10 +691,7 @@ private:
       m_vertices_to.for_each_from_last(
           [this](Vertex_index, Vertex_index to) { m_arrays.move_last_vertex_to(to); });
     }
-    m_faces_to.for_each_from_last(
-        [this](Face_index, Face_index to) { m_editing.move_last_face_data_to(to); });
-    m_vertices_to.for_each_from_last(
-        [this](Vertex_index, Vertex_index to) { m_editing.move_last_vertex_data_to(to); });
+    m_editing.template fill<Parts>(m_faces_to, m_vertices_to);
     m_vertices_to.template for_each_move<Parts>([this](Vertex_index from, Vertex_index to) {
       m_ids.move_points(from, to);
       m_positions.copy(from, to);
@@ -724,6 +721,7 @@ private:
     m_changes_of_parts.resize((std::max)(parts, m_changes_of_parts.size()));
     const auto run_part = [&](std::size_t part) { f(part, m_changes_of_parts[part]); };
     const auto log_all = [&] {
+      log_new_edges(parts);
       std::size_t gone = 0;
       for (std::size_t part = 0; part < parts; ++part) {
         gone += m_changes_of_parts[part].gone.size();
@@ -756,15 +754,23 @@ private:
     return true;
   }
 
-  // Logs the changes in a part. If the list of new edges cannot grow, everything counts as new.
-  void log(Changes_of_part& changes)
+  // Logs the new edges of all parts. If their list cannot grow, everything counts as new.
+  void log_new_edges(std::size_t parts)
   {
+    const auto edges = [this](std::size_t part) -> const auto&
+    {
+      return m_changes_of_parts[part].edges;
+    };
     try {
-      m_changes.new_edges.insert(m_changes.new_edges.end(), changes.edges.begin(),
-                                 changes.edges.end());
+      append_lists<Parts>(parts, edges, m_changes.new_edges);
     } catch (const std::bad_alloc&) {
       m_changes.everything_is_new = true;
     }
+  }
+
+  // Logs the other changes in a part.
+  void log(Changes_of_part& changes)
+  {
     m_changes.relocated.insert(m_changes.relocated.end(), changes.relocated.begin(),
                                changes.relocated.end());
     m_ids.release(changes.gone);
