@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -159,6 +160,24 @@ private:
       m_editing.log().resize(logged);
       throw;
     }
+    release(before);
+  }
+
+  // Frees most of a state that is no longer used. Threads share the arrays: to give their memory
+  // back takes a fiftieth of a rebuild.
+  static void release(State& state)
+  {
+    const Writer writer(state);
+    if (Parts::are_shared(Parts::number(state.number_of_vertices())))
+      Parts::run(Parts::least_shared, [&](std::size_t part) {
+        std::size_t arrays = 0;
+        const auto release_one = [&](auto& array) {
+          if (arrays++ == part)
+            std::decay_t<decltype(array)>().swap(array);
+        };
+        writer.arrays().for_each_array(release_one);
+        release_one(writer.shifts());
+      });
   }
 
   // How many of the points that are built, the first ones, keep their vertices.

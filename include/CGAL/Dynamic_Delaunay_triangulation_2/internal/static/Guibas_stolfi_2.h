@@ -211,13 +211,13 @@ private:
     return cuts;
   }
 
-  // Returns a rank that only about one cut in sixteen reaches.
+  // Returns a rank that only about one cut in 128 reaches.
   static int usually_highest_rank(const Spatial_order_2& order)
   {
     std::array<int, 1024> sample;
     for (std::size_t i = 0; i < sample.size(); ++i)
       sample[i] = rank(order, 1 + i * (order.size() - 1) / sample.size());
-    const auto place = sample.end() - sample.size() / 16;
+    const auto place = sample.end() - sample.size() / 128;
     std::nth_element(sample.begin(), place, sample.end());
     return *place;
   }

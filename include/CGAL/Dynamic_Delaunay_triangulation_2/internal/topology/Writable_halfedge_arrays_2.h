@@ -47,6 +47,16 @@ public:
     m_halfedge_of_edge.resize(3 * std::size_t(faces) / 2);
   }
 
+  // Calls f(array) for all arrays.
+  template <class Function>
+  void for_each_array(const Function& f)
+  {
+    f(m_halfedges);
+    f(m_edges);
+    f(m_halfedge_of_edge);
+    f(m_corner);
+  }
+
   void set_apex(Halfedge_index h, Vertex_index v)
   {
     m_halfedges[h].apex = v;
