@@ -107,7 +107,8 @@ public:
 
   // Moves each held vertex on, the whole way to its target, half of it or a quarter, as far as the
   // faces around it stay counterclockwise. After each move calls `flip(edges)` with the edges whose
-  // test the move may have changed. Returns whether any vertex has moved.
+  // test the move may have changed. Returns whether enough have moved to go on: to take a vertex
+  // out and to put it in again costs as much as ten vain tries.
   //
   // Leaves alone the vertices on the hull, which might break it, and those that go far: moving them
   // through the faces on their way would cost more than to take them out.
@@ -117,7 +118,8 @@ public:
   template <class In_parts, class Flip>
   bool release(const In_parts& in_parts, const Flip& flip)
   {
-    constexpr std::size_t pieces = 4; // of work: a vertex and the flips around it
+    constexpr std::size_t pieces = 4, // of work: a vertex and the flips around it
+        enough = 32;                  // of which one moves
     list_waiting();
     work_in_divisions(
         m_state, [this] { return pieces * m_waiting.size(); },
@@ -137,10 +139,11 @@ public:
       if (!m_changed.empty())
         flip(m_changed);
     }
-    const bool has_any_moved =
-        std::any_of(m_held.begin(), m_held.end(), [](const Held& held) { return held.share > 0; });
+    const auto moved = std::size_t(std::count_if(m_held.begin(), m_held.end(),
+                                                 [](const Held& held) { return held.share > 0; }));
+    const bool have_enough_moved = enough * moved > m_held.size();
     m_kept.clear();
-    append_by_parts<Parts>(m_held.size(), Parts::size_for(8), m_kept,
+    append_by_parts<Parts>(m_held.size(), Parts::size_for(32), m_kept,
                            [&](std::size_t i, std::size_t beyond, std::vector<Held>& kept) {
                              for (; i < beyond; ++i)
                                if (m_held[i].share == 1)
@@ -151,7 +154,7 @@ public:
                                }
                            });
     m_held.swap(m_kept);
-    return has_any_moved;
+    return have_enough_moved;
   }
 
   // Moves on those whose stars are inside of the part; release() moves the others, and counts
@@ -369,7 +372,7 @@ private:
   Vertex_index vertex_to_hold(Face_index f) const
   {
     const std::array<Vertex_index, 3> vertices = m_state.face(f);
-    std::array<Position_2, 3> ways{};
+    std::array<Position_2, 3> ways;
     Position_2 sum{0, 0};
     double number = 0;
     for (std::size_t i = 0; i < 3; ++i)

@@ -65,11 +65,12 @@ public:
   {
   }
 
-  // As many other parts: part_of(v) is that of the block whose middle vertex is v.
+  // So many other parts: part_of(v) is that of the block whose middle vertex is v.
   template <class Part_of>
-  Topology_parts_2 divided_anew(const Part_of& part_of) const
+  Topology_parts_2 divided_anew(std::size_t parts, const Part_of& part_of) const
   {
     Topology_parts_2 other(*this);
+    other.m_number = parts;
     for (std::size_t block = 0; block < m_blocks; ++block) {
       const std::size_t middle = (block << m_digits) + (std::size_t(1) << m_digits) / 2;
       other.m_part[block] = std::uint8_t(part_of(Vertex_index((std::min)(middle, m_vertices - 1))));
@@ -134,7 +135,7 @@ private:
   static constexpr std::size_t max_blocks = 1 << 10;
 
   const Halfedge_arrays_2& m_arrays;
-  const std::size_t m_number;
+  std::size_t m_number;
   const std::size_t m_vertices;
   std::size_t m_blocks;
   unsigned m_digits = 0;                         // below those of a vertex's block

@@ -56,11 +56,11 @@ public:
   }
 
   // Flips at most so often, from these edges, though faces may be inverted. Returns whether that
-  // has proved them all, and that the faces tile the hull.
+  // has proved them all.
   bool try_to_prove(std::vector<Edge_index>& edges, std::size_t most)
   {
     note(m_lawson.run(m_state, m_context.editor, edges, false, most));
-    return edges.empty() && m_context.proof.hull_turns_once(m_state);
+    return edges.empty();
   }
 
   // Flips edges at infinity until the hull is convex. No face is inverted. `changed` are edges

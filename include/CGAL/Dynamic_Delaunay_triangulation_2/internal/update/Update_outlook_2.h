@@ -52,7 +52,7 @@ public:
 private:
   struct Sample
   {
-    std::size_t size = 0, inner = 0, broken = 0;
+    std::size_t size, inner, broken;
   };
 
   // Two of five broken edges are uncertain where mending costs as much as a rebuild. In several
@@ -63,36 +63,35 @@ private:
     return m_steps == 1 ? price : price * 7 / 8;
   }
 
-  // Calls f(edge) for about `size` edges, or all.
-  template <class Function>
-  void for_each_sampled(std::size_t size, const Function& f) const
+  // Counts those of about `size` edges, or of all, for which is(edge). Threads share them.
+  template <class Predicate>
+  std::size_t count_sampled(std::size_t size, const Predicate& is) const
   {
-    const std::size_t edges = m_frame.number_of_edges();
-    const std::size_t stride = 1 + edges / size;
-    for (std::size_t e = 0; e < edges; e += stride)
-      f(Edge_index(e));
+    using Parts = typename State::Parts;
+    const std::size_t edges = m_frame.number_of_edges(), stride = 1 + edges / size;
+    return Parts::sum((edges + stride - 1) / stride, Parts::size_for(64),
+                      [&](std::size_t i, std::size_t beyond) {
+                        std::size_t number = 0;
+                        for (; i < beyond; ++i)
+                          number += is(Edge_index(i * stride));
+                        return number;
+                      });
   }
 
   // Whether the filter alone proves the edges of a sample, all but less than so many. It is asked
   // first, because every frame pays for it.
   bool is_nearly_proved(std::size_t size, std::size_t many) const
   {
-    std::size_t unproved = 0;
-    for_each_sampled(size, [&](Edge_index e) {
-      unproved += !m_frame.is_at_infinity(e) && !m_frame.proves_delaunay(e);
-    });
-    return unproved < many;
+    return count_sampled(size, [this](Edge_index e) {
+             return !m_frame.is_at_infinity(e) && !m_frame.proves_delaunay(e);
+           }) < many;
   }
 
   Sample sample(std::size_t size) const
   {
-    Sample taken;
-    for_each_sampled(size, [&](Edge_index e) {
-      ++taken.size;
-      taken.inner += !m_frame.is_at_infinity(e);
-      taken.broken += !m_frame.is_delaunay(e);
-    });
-    return taken;
+    return {count_sampled(size, [](Edge_index) { return true; }),
+            count_sampled(size, [this](Edge_index e) { return !m_frame.is_at_infinity(e); }),
+            count_sampled(size, [this](Edge_index e) { return !m_frame.is_delaunay(e); })};
   }
 
   const Dynamic_frame_2<State> m_frame;
