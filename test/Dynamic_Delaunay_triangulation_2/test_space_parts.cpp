@@ -25,8 +25,10 @@
 #include <cstddef>
 #include <iterator>
 #include <new>
+#include <random>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -198,9 +200,12 @@ TEST(Division_of_space, gives_each_vertex_one_part)
     positions.set(Vertex_index(i + 1),
                   internal::Place_3<Point>(
                       Position_3{i % 7 == 0 ? 0.25 : points[i].x(), points[i].y(), points[i].z()}));
-  for (const std::size_t in_row : {2u, 3u}) {
-    const internal::Spatial_parts_3<internal::Positions_3<Point>> parts(positions, in_row);
-    ASSERT_EQ(parts.number(), in_row * in_row * in_row);
+  using Parts = CGAL::Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<Backward_tag>;
+  using Division = internal::Spatial_parts_3<internal::Positions_3<Point>, Parts>;
+  for (const Division::Numbers& numbers :
+       {Division::Numbers{2, 2, 2}, {3, 3, 3}, {3, 3, 1}, {1, 1, 3}}) {
+    const Division parts(positions, numbers);
+    ASSERT_EQ(parts.number(), numbers[0] * numbers[1] * numbers[2]);
     std::vector<std::size_t> sizes(parts.number(), 0);
     for (Vertex_index v(1); v < positions.number(); ++v) {
       ++sizes.at(parts.part_of(v));
@@ -208,10 +213,142 @@ TEST(Division_of_space, gives_each_vertex_one_part)
         ASSERT_EQ(parts.has(part, v), part == parts.part_of(v));
     }
     for (std::size_t part = 0; part < parts.number(); ++part) {
-      EXPECT_FALSE(parts.has(part, Vertex_index(0))); // the infinite one
+      EXPECT_TRUE(parts.has(part, Vertex_index(0))); // the infinite one
       EXPECT_LT(sizes[part], 2 * points.size() / parts.number());
     }
   }
+}
+
+// Cells in which random facets can be flipped, wherever their vertices are.
+class Flipped_cells
+{
+public:
+  using Arrays = CGAL::Dynamic_Delaunay_triangulations_3::internal::Tetrahedra_arrays_3;
+  using Vertex_index = CGAL::Dynamic_Delaunay_triangulations_3::Vertex_index;
+  using Cell_index = CGAL::Dynamic_Delaunay_triangulations_3::Cell_index;
+  using Corner_index = CGAL::Dynamic_Delaunay_triangulations_3::Corner_index;
+  using Cells = std::vector<std::array<Vertex_index, 4>>;
+
+  // A cell and its infinite neighbors, into which vertices are inserted.
+  explicit Flipped_cells(CGAL::Dynamic_Delaunay_triangulations_2::Index vertices)
+  {
+    m_arrays.reset(vertices);
+    begin();
+    for (Vertex_index v(5); v < vertices; ++v) {
+      const Cell_index c(m_random() % m_arrays.number_of_cells());
+      std::vector<Corner_index> border;
+      for (int i = 0; i < 4; ++i)
+        border.push_back(Arrays::corner(c, i));
+      m_arrays.replace_by_star({c}, border, v);
+    }
+  }
+
+  Arrays& arrays() { return m_arrays; }
+
+  // Replaces two cells at a facet by three, as a step. Returns one of them.
+  Cell_index flip()
+  {
+    for (;;) {
+      const Corner_index k(m_random() % (4 * m_arrays.number_of_cells()));
+      if (m_arrays.is_free(Arrays::cell_of(k)) ||
+          are_neighbors(m_arrays.vertex(k), m_arrays.apex(k)))
+        continue;
+      m_arrays.begin_step();
+      return m_arrays.flip_2_3(k).cells[0];
+    }
+  }
+
+  // Of those that are not free, in the order of their numbers.
+  Cells cells() const
+  {
+    Cells cells;
+    for (Cell_index c(0); c < m_arrays.number_of_cells(); ++c)
+      if (!m_arrays.is_free(c)) {
+        const auto& v = m_arrays.vertices(c);
+        cells.push_back({v[0], v[1], v[2], v[3]});
+      }
+    return cells;
+  }
+
+  void expect_fit() const
+  {
+    for (Corner_index k(0); k < 4 * m_arrays.number_of_cells(); ++k) {
+      const Cell_index c = Arrays::cell_of(k);
+      if (m_arrays.is_free(c))
+        continue;
+      const Corner_index mirror = m_arrays.mirror(k);
+      ASSERT_EQ(m_arrays.mirror(mirror), k);
+      for (int i = 0; i < 4; ++i)
+        if (i != Arrays::place_of(k)) {
+          ASSERT_LT(m_arrays.place_of(Arrays::cell_of(mirror), m_arrays.vertices(c)[i]), 4);
+        }
+    }
+    for (Vertex_index v(0); v < m_arrays.number_of_vertices(); ++v)
+      ASSERT_EQ(m_arrays.vertex(m_arrays.corner_of(v)), v);
+  }
+
+private:
+  void begin()
+  {
+    using Vertices = CGAL::Dynamic_Delaunay_triangulations_3::internal::Vertices_3;
+    const Vertices v{Vertex_index(1), Vertex_index(2), Vertex_index(3), Vertex_index(4)};
+    std::array<Cell_index, 5> cells;
+    for (Cell_index& c : cells)
+      c = m_arrays.make_cell();
+    m_arrays.set_vertices(cells[4], v);
+    for (int i = 0; i < 4; ++i) {
+      Vertices w = v;
+      std::swap(w[(i + 1) % 4], w[(i + 2) % 4]);
+      w[i] = Vertex_index(0);
+      m_arrays.set_vertices(cells[std::size_t(i)], w);
+      m_arrays.connect(Arrays::corner(cells[4], i), Arrays::corner(cells[std::size_t(i)], i));
+    }
+    const auto corner = [&](int i, int j) {
+      const Cell_index c = cells[std::size_t(i)];
+      return Arrays::corner(c, m_arrays.place_of(c, v[j]));
+    };
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < i; ++j)
+        m_arrays.connect(corner(i, j), corner(j, i));
+  }
+
+  bool are_neighbors(Vertex_index v, Vertex_index w) const
+  {
+    for (const auto& cell : cells())
+      if (std::count(cell.begin(), cell.end(), v) + std::count(cell.begin(), cell.end(), w) == 2)
+        return true;
+    return false;
+  }
+
+  std::mt19937 m_random{1};
+  Arrays m_arrays;
+};
+
+// Flips that share cells go together, and what remains can be undone.
+TEST(Steps_of_space, are_undone_around_some_cells)
+{
+  Flipped_cells flipped(100);
+  CGAL::Dynamic_Delaunay_triangulations_3::internal::Cell_marks_3 marks;
+  const Flipped_cells::Cells before = flipped.cells();
+  std::size_t undone = 0, kept = 0;
+  for (int turn = 0; turn < 50; ++turn) {
+    flipped.arrays().begin();
+    std::vector<Flipped_cells::Cell_index> some;
+    for (int i = 0; i < 6; ++i)
+      some.assign(1, flipped.flip());
+    const std::size_t all = flipped.cells().size();
+    flipped.arrays().undo_around(some, marks);
+    undone += all - flipped.cells().size();
+    kept += flipped.cells().size() - before.size();
+    EXPECT_GT(some.size(), 1u);
+    ASSERT_NO_FATAL_FAILURE(flipped.expect_fit());
+    flipped.flip();
+    flipped.arrays().undo();
+    ASSERT_EQ(flipped.cells(), before);
+    ASSERT_NO_FATAL_FAILURE(flipped.expect_fit());
+  }
+  EXPECT_GT(undone, 60u); // of 300 flips
+  EXPECT_GT(kept, 60u);
 }
 
 } // namespace

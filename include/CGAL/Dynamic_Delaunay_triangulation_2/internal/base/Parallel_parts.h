@@ -125,6 +125,12 @@ public:
   {
     Runner::run(parts, number_of_workers(parts), f);
   }
+  // The same of parts that take so long that even two are worth two threads.
+  template <class Function>
+  static void run_long(std::size_t parts, const Function& f)
+  {
+    Runner::run(parts, (std::min)(parts, Runner::most_workers()), f);
+  }
 
 private:
   static std::size_t number_of_workers(std::size_t parts)

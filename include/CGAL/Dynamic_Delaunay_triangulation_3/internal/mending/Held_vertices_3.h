@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/topology/Divided_list.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Flip_parts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Lawson_flips_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Spatial_parts_3.h>
@@ -23,9 +24,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // A cell that is not positive is flipped away, if one flip makes positive cells only. Else that
 // vertex of it is held whose motion differs most from its neighbors': it waits where their mean
 // motion carries it from its old position, then where all vertices' mean motion does, and at last
-// at its old position. If cells stay inverted even so, flips are in the way: all of them are undone
-// and forbidden near these cells, and it all begins again; in the last attempt everything may
-// return to its old position, where all cells were positive.
+// at its old position. If cells stay inverted even so, flips are in the way: those around these
+// cells are undone, and forbidden near them, and it goes on. In the last attempt there are no flips
+// at all, and everything may return to its old position, where all cells were positive.
 //
 // Where there is much to do, threads do it in parts of space first, as they were before the frame.
 // A part takes up a cell if it has the vertices of the cell and of its neighbors, and moves a
@@ -38,6 +39,9 @@ class Held_vertices_3
   using Arrays = typename State::Arrays;
   using Place = typename State::Place;
   using Division = typename Flips::Division;
+  using Parts = typename State::Exact_parts;
+  template <class Element>
+  using Divided_list = Dynamic_Delaunay_triangulations_2::internal::Divided_list<Element>;
   using Positions = typename State::Positions;
 
 public:
@@ -56,14 +60,15 @@ public:
     m_old_origin = old_origin;
     m_new_origin = m_state.origin;
     forget();
-    m_number.assign(m_state.positions.number(), null_index);
-    m_may_right.assign(m_state.positions.number(), 1);
   }
 
+  // Gives memory back, too: five bytes a vertex, which calm frames do not need.
   void forget()
   {
     m_whole.held.clear();
     m_parts.clear();
+    m_number = Column<Vertex_index, Index>();
+    m_may_right = Column<Vertex_index, char>();
   }
 
   std::size_t number() const { return m_whole.held.size(); }
@@ -73,31 +78,25 @@ public:
   // vertices would have to be held: then the frame has to be rebuilt.
   bool hold(const std::vector<Cell_index>& bad, std::size_t most)
   {
+    if (!bad.empty())
+      make_room();
     m_state.find_walls();
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-      arrays().begin();
-      m_whole.bad = bad;
-      m_whole.failed.clear();
-      m_is_last_attempt = attempt == attempts - 1;
-      if (m_is_last_attempt)
-        find_all_bad();
-      else
-        right_or_hold_in_parts(most);
-      const std::size_t bound = m_is_last_attempt ? std::size_t(m_state.positions.number()) : most;
-      if (number() > bound || !right_or_hold(m_whole, bound)) {
-        give_up();
-        return false;
-      }
-      if (keep_what_is_inverted(m_whole.failed).empty()) {
-        open_what_has_changed();
-        arrays().commit();
-        return true;
-      }
-      forbid_flips(attempt);
-      start_anew();
+    arrays().begin();
+    m_whole.bad = bad;
+    m_whole.failed.clear();
+    m_is_last_attempt = false;
+    right_or_hold_in_parts(most);
+    for (int attempt = 0; attempt < attempts_with_flips && number() <= most; ++attempt) {
+      if (!right_or_hold(m_whole, most))
+        break;
+      m_whole.failed = keep_what_is_inverted(m_whole.failed);
+      if (m_whole.failed.empty())
+        return commit();
+      undo_around_failed(attempt);
     }
-    give_up();
-    return false;
+    const bool are_too_many = number() > most;
+    start_anew();
+    return !are_too_many && hold_without_flips();
   }
 
   // Moves each held vertex on to where it belongs, or half or a quarter of the way, or less in some
@@ -114,6 +113,7 @@ public:
   // and flips. False if none can move.
   bool retreat(const std::vector<Corner_index>& stuck)
   {
+    make_room();
     bool has_moved = false;
     std::vector<Vertex_index> obstacles;
     for (const Corner_index k : stuck)
@@ -155,15 +155,14 @@ public:
   }
 
 private:
-  static constexpr int attempts = 8, rounds = 12, retreats = 3;
+  static constexpr int attempts_with_flips = 7, rounds = 12, retreats = 3;
   // A cell of a star that cannot be righted by so few flips costs more than to wait.
   static constexpr std::size_t most_inverted = 6;
   static constexpr std::size_t few_cells = 64; // free ones, with which a part begins
-  // Of 100,000 points too many stars are at borders, and are looked at in vain: one thread would
-  // take a quarter longer.
-  static constexpr std::size_t parts_of_stars = 16;
+  // A part of those that threads find: each takes some 500 nanoseconds.
+  static constexpr std::size_t least_stars = Parts::size_for(256);
   // To right a cell, or to hold or release a vertex, takes as long as to test and flip so many.
-  static constexpr std::size_t facets_of_cell = 16;
+  static constexpr std::size_t facets_of_cell = 8;
 
   enum class Waits { CARRIED, AT_HOME, WHERE_IT_WAS };
 
@@ -193,9 +192,18 @@ private:
     std::vector<Cell_index> left; // that a part leaves to others
     std::vector<Cell_index> star;
     Cell_set_3 in_star;
+    bool needs_others = false; // whether a part could not right a cell because of its neighbors
   };
 
   enum class Outcome { HELD, FAILED, LEFT };
+
+  void make_room()
+  {
+    if (!m_number.empty())
+      return;
+    m_number.assign(m_state.positions.number(), null_index);
+    m_may_right.assign(m_state.positions.number(), 1);
+  }
 
   Arrays& arrays() { return m_state.arrays; }
   const Arrays& arrays() const { return m_state.arrays; }
@@ -224,7 +232,7 @@ private:
         work.bad.pop_back();
         continue;
       }
-      const bool is_mine = work.flips.is_mine_with_neighbors(c);
+      const bool is_mine = work.flips.is_around_mine(c) && work.flips.is_mine_with_neighbors(c);
       if (is_mine && !m_is_last_attempt && may_right(c) && right(work, c))
         continue;
       const Outcome outcome = is_mine ? hold_one_of(work, c) : Outcome::LEFT;
@@ -238,50 +246,66 @@ private:
     return true;
   }
 
+  // Many parts have many stars at their borders. Of 10,000 points too many are at those of few
+  // ones: one thread would take a fifth longer.
+  std::vector<typename Division::Numbers> divisions() const
+  {
+    constexpr std::size_t few = 8 * Parts::least_shared * Parts::usual_size, many = 2 * few;
+    if (arrays().number_of_cells() < few)
+      return {};
+    if (arrays().number_of_cells() < many)
+      return {{2, 2, 2}, {3, 3, 1}, {1, 1, 3}};
+    return {{3, 3, 3}, {2, 2, 2}, {1, 1, 3}};
+  }
+
   // Where many cells are not positive, does the same in parts, which threads share, until four
   // times a part's share of `most` is held. Others remain.
   void right_or_hold_in_parts(std::size_t most)
   {
     divide_while_worth(
-        m_state, m_previous, parts_of_stars, [&] { return facets_of_cell * m_whole.bad.size(); },
+        m_state, m_previous, divisions(), [&] { return facets_of_cell * m_whole.bad.size(); },
         [&](const Division& division) {
-          run_in_parts(division, divide_bad(division),
-                       [&](Work& work) { right_or_hold(work, 4 * most / division.number()); });
+          Divided_list<Cell_index> bad;
+          divide_bad(division, bad);
+          run_in_parts(
+              division, [&](std::size_t part) { return bad.size(part); },
+              [&](Work& work, std::size_t part) {
+                work.bad.assign(bad.begin(part), bad.end(part));
+                right_or_hold(work, 4 * most / division.number());
+              });
         });
   }
 
-  // Takes the cells of each part, which has all their vertices; others remain.
-  std::vector<std::vector<Cell_index>> divide_bad(const Division& division)
+  // Divides the cells by the parts that have all their vertices, and most likely their neighbors.
+  // Others remain.
+  void divide_bad(const Division& division, Divided_list<Cell_index>& of_parts)
   {
-    std::vector<std::vector<Cell_index>> of_parts(division.number());
-    std::vector<Cell_index> rest;
-    for (const Cell_index c : m_whole.bad)
-      if (!arrays().is_free(c)) {
-        const Vertices_3& v = arrays().vertices(c);
-        const std::size_t part = division.part_of(v[0] == infinite_index ? v[1] : v[0]);
-        const bool is_inside =
-            std::all_of(v.begin(), v.end(), [&](Vertex_index w) { return division.has(part, w); });
-        (is_inside ? of_parts[part] : rest).push_back(c);
-      }
-    m_whole.bad.swap(rest);
-    return of_parts;
+    std::vector<Cell_index>& bad = m_whole.bad;
+    const std::size_t none = division.number();
+    of_parts.template divide<Parts>(bad, none + 1, [&](std::size_t i) {
+      prefetch_around<false>(m_state, bad, i);
+      if (arrays().is_free(bad[i])) // others have changed it since, and have taken it up
+        return none;
+      const Vertices_3& v = arrays().vertices(bad[i]);
+      const std::size_t part = division.part_of(v[0] == infinite_index ? v[1] : v[0]);
+      return division.has_around(part, v) ? part : none;
+    });
+    bad.assign(of_parts.begin(none), of_parts.end(none));
   }
 
-  // Calls f(work) for parts with bad cells, on threads.
-  template <class Function>
-  void run_in_parts(const Division& division, const std::vector<std::vector<Cell_index>>& bad,
-                    const Function& f)
+  // Calls f(work, part) for all parts, which have pieces(part) of work each, on threads.
+  template <class Pieces, class Function>
+  void run_in_parts(const Division& division, const Pieces& pieces, const Function& f)
   {
     std::vector<Flips> flips(division.number(), Flips(m_state));
     for (std::size_t part = 0; part < division.number(); ++part) {
       flips[part].begin_part(division, part);
       m_parts.emplace_back(flips[part]);
-      m_parts[part].bad = bad[part];
       m_parts[part].first = m_whole.held.size();
     }
     arrays().begin_parts(division.number(),
-                         [&](std::size_t part) { return few_cells + bad[part].size() / 2; });
-    State::Exact_parts::run(division.number(), [&](std::size_t part) { f(m_parts[part]); });
+                         [&](std::size_t part) { return few_cells + pieces(part) / 2; });
+    Parts::run_long(division.number(), [&](std::size_t part) { f(m_parts[part], part); });
     arrays().end_parts();
     for (const Work& part : m_parts)
       take_over(part);
@@ -371,10 +395,7 @@ private:
 
   void find_star(Work& work, Vertex_index v) const
   {
-    if (is_in_part(work))
-      internal::find_star(arrays(), v, work.in_star, work.star);
-    else
-      internal::find_star(arrays(), v, m_state.marks, work.star);
+    internal::find_star(arrays(), v, work.in_star, work.star);
   }
 
   struct Motion
@@ -493,22 +514,48 @@ private:
     return inverted;
   }
 
-  void forbid_flips(int attempt)
+  // Undoes the flips around cells that have failed, and forbids them near these.
+  void undo_around_failed(int attempt)
   {
     for (const Cell_index c : m_whole.failed)
-      if (!arrays().is_free(c))
-        for (const Vertex_index v : arrays().vertices(c)) {
-          m_may_right[v] = 0;
-          if (attempt == 0 || v == infinite_index)
-            continue;
-          find_star(m_whole, v);
-          for (const Cell_index other : m_whole.star)
-            for (const Vertex_index w : arrays().vertices(other))
-              m_may_right[w] = 0;
-        }
+      forbid_flips(c, attempt > 0);
     m_may_right[infinite_index] = 1; // else no flip of the hull would be left
+    m_whole.bad.swap(m_whole.failed);
+    m_whole.failed.clear();
+    arrays().undo_around(m_whole.bad, m_state.marks);
+  }
+  void forbid_flips(Cell_index c, bool also_beside)
+  {
+    for (const Vertex_index v : arrays().vertices(c)) {
+      m_may_right[v] = 0;
+      if (!also_beside || v == infinite_index)
+        continue;
+      find_star(m_whole, v);
+      for (const Cell_index other : m_whole.star)
+        for (const Vertex_index w : arrays().vertices(other))
+          m_may_right[w] = 0;
+    }
   }
 
+  // The last attempt, in which everything may return to its old position.
+  bool hold_without_flips()
+  {
+    arrays().begin();
+    m_whole.failed.clear();
+    m_is_last_attempt = true;
+    find_all_bad();
+    right_or_hold(m_whole, m_state.positions.number());
+    if (keep_what_is_inverted(m_whole.failed).empty())
+      return commit();
+    start_anew();
+    return false;
+  }
+  bool commit()
+  {
+    open_what_has_changed();
+    arrays().commit();
+    return true;
+  }
   void start_anew()
   {
     arrays().undo();
@@ -519,24 +566,35 @@ private:
     m_whole.held.clear();
     m_state.origin = m_new_origin;
   }
-  void give_up() { start_anew(); }
 
   // Opens the facets of all cells that have changed, on threads. A flip records each of its cells
   // some seven times.
   void open_what_has_changed()
   {
     std::vector<Cell_index> changed, of_held;
-    for (const Held& held : m_whole.held) {
-      find_star(m_whole, held.vertex);
-      of_held.insert(of_held.end(), m_whole.star.begin(), m_whole.star.end());
-    }
-    m_state.marks.clear(arrays().number_of_cells());
-    const auto append = [&](Cell_index c) {
-      if (m_state.marks.insert(c))
-        changed.push_back(c);
+    Dynamic_Delaunay_triangulations_2::internal::append_by_parts<Parts>(
+        number(), least_stars, of_held,
+        [&](std::size_t i, std::size_t beyond, std::vector<Cell_index>& cells) {
+          std::vector<Cell_index> star;
+          Cell_set_3 in_star;
+          for (; i < beyond; ++i) {
+            internal::find_star(arrays(), m_whole.held[i].vertex, in_star, star);
+            cells.insert(cells.end(), star.begin(), star.end());
+          }
+        });
+    const auto append_to_changed = [&](auto& marks) {
+      marks.clear(arrays().number_of_cells());
+      const auto append = [&](Cell_index c) {
+        if (marks.insert(c))
+          changed.push_back(c);
+      };
+      arrays().for_each_changed(append);
+      std::for_each(of_held.begin(), of_held.end(), append);
     };
-    arrays().for_each_changed(append);
-    std::for_each(of_held.begin(), of_held.end(), append);
+    if (of_held.size() + arrays().number_of_changes() < arrays().number_of_cells() / 64)
+      append_to_changed(m_whole.in_star); // marks take memory of all cells
+    else
+      append_to_changed(m_state.marks);
     Flip_parts_3<State>(m_state).open(m_flips, changed);
   }
 
@@ -556,37 +614,46 @@ private:
   {
     std::vector<Index> waiting = waiting_ones();
     divide_while_worth(
-        m_state, m_previous, parts_of_stars, [&] { return facets_of_cell * waiting.size(); },
+        m_state, m_previous, divisions(), [&] { return facets_of_cell * waiting.size(); },
         [&](const Division& division) {
-          std::vector<std::vector<Index>> of_parts(division.number());
-          for (const Index i : waiting)
-            of_parts[division.part_of(m_whole.held[i].vertex)].push_back(i);
-          run_in_parts(division, std::vector<std::vector<Cell_index>>(division.number()),
-                       [&](Work& work) { release_inside(work, of_parts[work.flips.part()]); });
+          Divided_list<Index> of_parts;
+          of_parts.template divide<Parts>(waiting, division.number(), [&](std::size_t i) {
+            return division.part_of(m_whole.held[waiting[i]].vertex);
+          });
+          run_in_parts(
+              division, [](std::size_t) { return std::size_t(0); },
+              [&](Work& work, std::size_t part) {
+                release_inside(work, of_parts.begin(part), of_parts.end(part));
+              });
           m_flips.run();
           waiting = waiting_ones();
         });
   }
 
   // Those whose stars are of the part, as they remain.
-  void release_inside(Work& work, const std::vector<Index>& waiting)
+  void release_inside(Work& work, const Index* first, const Index* beyond)
   {
     std::vector<Index> inside;
-    for (const Index i : waiting) {
-      find_star(work, m_whole.held[i].vertex);
+    for (; first != beyond; ++first) {
+      find_star(work, m_whole.held[*first].vertex);
       if (is_star_mine(work))
-        inside.push_back(i);
+        inside.push_back(*first);
     }
     release(work, inside);
   }
 
-  void release(Work& work, const std::vector<Index>& waiting)
+  void release(Work& work, std::vector<Index> waiting)
   {
     for (int round = 0; round < rounds; ++round) {
       bool has_moved = false;
-      for (const Index i : waiting)
-        if (m_whole.held[i].is_waiting)
-          has_moved = release(work, m_whole.held[i]) || has_moved;
+      std::size_t kept = 0;
+      for (const Index i : waiting) {
+        const bool moves = release(work, m_whole.held[i]);
+        has_moved = has_moved || moves;
+        if (m_whole.held[i].is_waiting && !work.needs_others)
+          waiting[kept++] = i;
+      }
+      waiting.resize(kept);
       if (!has_moved)
         return;
     }
@@ -595,13 +662,17 @@ private:
   // Moves one vertex on. Returns whether it could move at all.
   bool release(Work& work, Held& held)
   {
+    work.needs_others = false;
     const Vertex_index v = held.vertex;
     const Place from = m_state.positions.place(v), target = held.target;
     find_star(work, v);
     for (double way = 1; way >= m_state.smallest_way(); way /= 2) {
       const Place to = way == 1.0 ? target : Place(between(from.position, target.position, way));
-      if (!try_to_move(work, v, from, to))
+      if (!try_to_move(work, v, from, to)) {
+        if (work.needs_others)
+          return false;
         continue;
+      }
       if (way == 1.0) {
         held.is_waiting = false;
         held.has_arrived = true;
@@ -651,9 +722,14 @@ private:
     while (!work.bad.empty()) {
       const Cell_index c = work.bad.back();
       work.bad.pop_back();
-      if (!arrays().is_free(c) && !is_positive(work, c) &&
-          !(work.flips.is_mine_with_neighbors(c) && right(work, c)))
+      if (arrays().is_free(c) || is_positive(work, c))
+        continue;
+      if (!work.flips.is_mine_with_neighbors(c)) {
+        work.needs_others = true;
         left.push_back(c);
+      } else if (!right(work, c)) {
+        left.push_back(c);
+      }
     }
     find_star(work, v);
     if (keep_what_is_inverted(work, left).empty() &&

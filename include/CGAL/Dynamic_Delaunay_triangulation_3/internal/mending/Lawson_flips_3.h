@@ -50,7 +50,7 @@ class alignas(64) Lawson_flips_3 // so that threads that have one each share no 
 public:
   using Signs = typename Signs_of_3<State>::type;
   using Flipped = typename Arrays::Flipped;
-  using Division = Spatial_parts_3<typename State::Positions>;
+  using Division = Spatial_parts_3<typename State::Positions, typename State::Exact_parts>;
 
   // The facet opposite to a corner with its vertex. Flips may have changed the cell since; then all
   // facets around the new cells were opened by them.
@@ -134,7 +134,7 @@ public:
   }
 
   // From here on flips in a part alone, for which the arrays have a part of the same number. Facets
-  // that are opened must have their vertices in it, and be finite.
+  // that are opened must have their vertices in it.
   void begin_part(const Division& parts, std::size_t part)
   {
     m_parts = &parts;
@@ -143,6 +143,10 @@ public:
   std::size_t part() const { return m_part; }
   // Whether the vertex belongs to the part in which this flips.
   bool is_mine(Vertex_index v) const { return m_parts == nullptr || m_parts->has(m_part, v); }
+  bool is_around_mine(Cell_index c) const
+  {
+    return m_parts == nullptr || m_parts->has_around(m_part, arrays().vertices(c));
+  }
   // Whether a cell may be flipped with each of its neighbors.
   bool is_mine_with_neighbors(Cell_index c) const
   {
@@ -156,20 +160,20 @@ public:
         return false;
     return arrays().can_make_cell(m_part);
   }
-  // Flips from each of these facets, in turn, until none is open.
-  void run(const std::vector<Facet>& seeds)
+  // Flips from each of so many facets, in turn, until none is open.
+  void run(const Facet* seeds, std::size_t number)
   {
-    for (std::size_t i = 0; i < seeds.size(); ++i) {
-      prefetch_ahead(seeds, i);
+    for (std::size_t i = 0; i < number; ++i) {
+      prefetch_ahead(seeds, number, i);
       m_open.finite.push_back(seeds[i]);
       run();
     }
   }
   // Fetches what facets have around them that come soon in a list: this saves a third of the time
   // of flips at 100,000 points.
-  void prefetch_ahead(const std::vector<Facet>& facets, std::size_t i) const
+  void prefetch_ahead(const Facet* facets, std::size_t number, std::size_t i) const
   {
-    prefetch_around(m_state, i, facets.size(),
+    prefetch_around(m_state, i, number,
                     [&](std::size_t n) { return Arrays::cell_of(facets[n].corner); });
   }
   // Whether a facet that was opened is there still.
@@ -183,7 +187,9 @@ public:
   // for which a flip needs vertices elsewhere, or a new cell for which the part has no number.
   void append_left(const Lawson_flips_3& part)
   {
-    m_open.finite.insert(m_open.finite.end(), part.m_left.begin(), part.m_left.end());
+    for (const Facet& facet : part.m_left)
+      (arrays().is_infinite(Arrays::cell_of(facet.corner)) ? m_open.infinite : m_open.finite)
+          .push_back(facet);
     m_stuck.insert(m_stuck.end(), part.m_stuck.begin(), part.m_stuck.end());
     m_number += part.m_number;
   }
@@ -382,13 +388,18 @@ private:
 
   Flipped flip_2_3(Corner_index k)
   {
-    ++m_number;
+    begin_flip();
     return arrays().flip_2_3(k, m_part);
   }
   Flipped flip_3_2(Corner_index k, int side)
   {
-    ++m_number;
+    begin_flip();
     return arrays().flip_3_2(k, side, m_part);
+  }
+  void begin_flip()
+  {
+    ++m_number;
+    arrays().begin_step(m_part);
   }
 
   // Opens the facets around new cells. Those between them are legal.
@@ -410,10 +421,7 @@ private:
   {
     if (Arrays::is_infinite(simplex[0])) // its star has the whole hull
       std::swap(simplex[0], simplex[1]);
-    if (m_parts == nullptr)
-      find_star(arrays(), Arrays::vertex_of(simplex[0]), m_state.marks, m_star);
-    else
-      find_star(arrays(), Arrays::vertex_of(simplex[0]), m_in_star, m_star);
+    find_star(arrays(), Arrays::vertex_of(simplex[0]), m_in_star, m_star);
     return std::any_of(m_star.begin(), m_star.end(),
                        [&](Cell_index c) { return has_simplex(c, simplex); });
   }

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -18,53 +19,76 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 // Parts of a triangulation in which threads can flip at the same time. Each finite vertex belongs
 // to the part where it is; no vertex moves meanwhile. On a torus the place of a vertex says what
-// part all its images belong to.
+// part all its images belong to. The infinite vertex belongs to all parts.
 //
 // Each thread examines facets whose three vertices are in its part, and flips those for which all
 // vertices of the cells that a flip replaces are. What it reads and writes are cells at such
-// facets, so cells with three or four corners in the part, of which each belongs to one part alone,
-// and what is stored at vertices of the part. All other cells do not change at all.
+// facets, so cells with three or four corners in the part, and what is stored at finite vertices of
+// the part. Each of these cells belongs to one part alone: it has four vertices, or if one of them
+// is the infinite one, three others, of which two are in the part. All other cells do not change at
+// all.
 //
 // Space is cut into slabs with equal numbers of vertices, each slab into columns, and each column
-// into blocks. A part depends on positions alone: numbers of vertices and cells, which follow a
-// curve, do so for a shorter time, because streams of points mix them. With two blocks in a row the
-// borders are elsewhere than with three, so that little is left at the borders of both.
-template <class Positions>
+// into blocks; or some of these are whole. A part depends on positions alone: numbers of vertices
+// and cells, which follow a curve, do so for a shorter time, because streams of points mix them.
+// With two blocks in a row the borders are elsewhere than with three, or than with a single one, so
+// that little is left at the borders of both.
+template <class Positions, class Parts>
 class Spatial_parts_3
 {
 public:
   static constexpr std::size_t most_in_row = 3;
 
-  Spatial_parts_3(const Positions& positions, std::size_t in_row)
+  // How many slabs, columns in a slab, and blocks in a column.
+  using Numbers = Few<std::size_t, 3>;
+
+  Spatial_parts_3(const Positions& positions, const Numbers& numbers)
     : m_positions(positions)
-    , m_in_row(in_row)
+    , m_numbers(numbers)
   {
     std::vector<Coordinates> some = sample();
     cut(some.data(), some.size(), 0, 0);
     for (std::size_t part = 0; part < number(); ++part)
       m_boxes.push_back(box_of(part));
+    m_part.resize(positions.number());
+    Parts::for_each_element(positions.number(), Parts::size_for(8), [this](std::size_t i) {
+      const Vertex_index v(i);
+      m_part[v] = v == infinite_index ? of_all : std::uint8_t(find_part(m_positions.position(v)));
+    });
   }
 
-  std::size_t number() const { return m_in_row * m_in_row * m_in_row; }
+  static std::size_t number(const Numbers& numbers) { return numbers[0] * numbers[1] * numbers[2]; }
+  std::size_t number() const { return number(m_numbers); }
 
   // Of a finite vertex.
-  std::size_t part_of(Vertex_index v) const
-  {
-    const Position_3& p = m_positions.position(v);
-    const std::size_t slab = m_slabs.interval(p.x);
-    const std::size_t column = m_in_row * slab + m_columns[slab].interval(p.y);
-    return m_in_row * column + m_blocks[column].interval(p.z);
-  }
+  std::size_t part_of(Vertex_index v) const { return m_part[v]; }
   bool has(std::size_t part, Vertex_index v) const
   {
-    const Position_3& p = m_positions.position(v); // NaN, if v is the infinite vertex
+    return (int(m_part[v] == part) | int(v == infinite_index)) != 0;
+  }
+  // Whether all finite vertices of a cell, and most likely their neighbors, belong to the part: a
+  // box around the cell that is three times as long does.
+  bool has_around(std::size_t part, const Vertices_3& vertices) const
+  {
+    Position_3 low{infinity, infinity, infinity}, high{-infinity, -infinity, -infinity};
+    for (const Vertex_index v : vertices)
+      if (v != infinite_index) {
+        const Position_3& p = m_positions.position(v);
+        low = {(std::min)(low.x, p.x), (std::min)(low.y, p.y), (std::min)(low.z, p.z)};
+        high = {(std::max)(high.x, p.x), (std::max)(high.y, p.y), (std::max)(high.z, p.z)};
+      }
+    const Position_3 size = high - low;
+    const double margin = (std::max)({size.x, size.y, size.z});
     const Box& box = m_boxes[part];
-    return ((p.x >= box.low.x) & (p.y >= box.low.y) & (p.z >= box.low.z) & (p.x < box.high.x) &
-            (p.y < box.high.y) & (p.z < box.high.z)) != 0;
+    return low.x - margin >= box.low.x && low.y - margin >= box.low.y &&
+           low.z - margin >= box.low.z && high.x + margin < box.high.x &&
+           high.y + margin < box.high.y && high.z + margin < box.high.z;
   }
 
 private:
   using Coordinates = Few<double, 3>;
+
+  static constexpr std::uint8_t of_all = 255; // the infinite vertex
 
   static constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -89,10 +113,17 @@ private:
     Position_3 low, high;
   };
 
+  std::size_t find_part(const Position_3& p) const
+  {
+    const std::size_t slab = m_slabs.interval(p.x);
+    const std::size_t column = m_numbers[1] * slab + m_columns[slab].interval(p.y);
+    return m_numbers[2] * column + m_blocks[column].interval(p.z);
+  }
+
   Box box_of(std::size_t part) const
   {
-    const std::size_t column = part / m_in_row, slab = column / m_in_row;
-    const std::size_t x = slab, y = column % m_in_row, z = part % m_in_row;
+    const std::size_t column = part / m_numbers[2], slab = column / m_numbers[1];
+    const std::size_t x = slab, y = column % m_numbers[1], z = part % m_numbers[2];
     const Cuts &in_slab = m_columns[slab], &in_column = m_blocks[column];
     return {{m_slabs.low(x), in_slab.low(y), in_column.low(z)},
             {m_slabs.high(x), in_slab.high(y), in_column.high(z)}};
@@ -119,42 +150,44 @@ private:
     const auto is_before = [=](const Coordinates& p, const Coordinates& q) {
       return p[axis] < q[axis];
     };
-    for (std::size_t i = 0; i < m_in_row; ++i) {
-      const std::size_t first = number * i / m_in_row, beyond = number * (i + 1) / m_in_row;
+    const std::size_t pieces = m_numbers[axis];
+    for (std::size_t i = 0; i < pieces; ++i) {
+      const std::size_t first = number * i / pieces, beyond = number * (i + 1) / pieces;
       if (beyond < number) {
         std::nth_element(some + first, some + beyond, some + number, is_before);
         cuts.at[i] = some[beyond][axis];
       }
       if (axis < 2)
-        cut(some + first, beyond - first, axis + 1, m_in_row * row + i);
+        cut(some + first, beyond - first, axis + 1, pieces * row + i);
     }
   }
 
   const Positions& m_positions;
-  const std::size_t m_in_row; // blocks in a column, columns in a slab, and slabs
+  const Numbers m_numbers;
   Cuts m_slabs;
   std::array<Cuts, most_in_row> m_columns;
   std::array<Cuts, most_in_row * most_in_row> m_blocks;
   std::vector<Box> m_boxes; // of the parts
+  Dynamic_Delaunay_triangulations_2::internal::Uninitialized_column<Vertex_index, std::uint8_t>
+      m_part;
 };
 
-// Calls f(parts) for three blocks in a row, and then for two, as long as threads would gain by
-// sharing so many pieces of work, pieces(), each of which takes as long as a facet. `least_times`
-// says how many times more cells there have to be than in a pass that threads share. So that
-// depends on the triangulation alone.
-template <class State, class Pieces, class Function>
+// Calls f(parts) for some divisions, one after the other, as long as threads would gain by sharing
+// so many pieces of work, pieces(), each of which takes as long as a facet. All that depends on the
+// triangulation alone.
+template <class State, class Divisions, class Pieces, class Function>
 void divide_while_worth(const State& state, const typename State::Positions& positions,
-                        std::size_t least_times, const Pieces& pieces, const Function& f)
+                        const Divisions& divisions, const Pieces& pieces, const Function& f)
 {
   using Parts = typename State::Exact_parts;
-  using Division = Spatial_parts_3<typename State::Positions>;
+  using Division = Spatial_parts_3<typename State::Positions, Parts>;
   constexpr std::size_t least = (std::max)(Parts::usual_size / 64, std::size_t(1)); // of a part
-  if (state.arrays.number_of_cells() < least_times * Parts::least_shared * Parts::usual_size)
+  if (state.arrays.number_of_cells() < Parts::least_shared * Parts::usual_size)
     return;
-  for (std::size_t in_row = Division::most_in_row; in_row > 1; --in_row) {
-    if (pieces() < least * in_row * in_row * in_row)
+  for (const typename Division::Numbers& numbers : divisions) {
+    if (pieces() < least * (std::max)(Division::number(numbers), Parts::least_shared))
       return;
-    f(Division(positions, in_row));
+    f(Division(positions, numbers));
   }
 }
 

@@ -119,7 +119,7 @@ public:
     for (int i = 0; i < 4; ++i) {
       m_cells[c].vertices[i] = sites[i].vertex;
       m_cells[c].shifts[i] = sites[i].shift;
-      m_corners[sites[i].vertex] = corner(c, i);
+      note_corner(corner(c, i), part);
     }
   }
 

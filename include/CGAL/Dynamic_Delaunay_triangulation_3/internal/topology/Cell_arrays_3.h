@@ -22,12 +22,6 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// Room for a few more than so many: frames change the number of cells little.
-inline std::size_t with_reserve(std::size_t cells)
-{
-  return cells + cells / 32 + 64;
-}
-
 // Tetrahedra in one flat array: for each cell its four vertices, and for each of its corners the
 // mirror corner, which lies opposite to the same facet in the neighbor. So the vertex beyond a
 // facet is found without a search. All cells have the same combinatorial orientation; they know no
@@ -139,7 +133,7 @@ public:
       move_last_cell_to(c);
     }
     drop_free_ones_at_end();
-    m_log.free.clear();
+    m_log = Log(); // in rough frames records are large
   }
 
   // Gives the vertex `from`, whose star is given, the number `to`.
@@ -205,9 +199,13 @@ public:
     Log& mine = log(part);
     CGAL_precondition(!mine.is_recording);
     mine.is_recording = true;
-    mine.record.clear();
-    mine.made.clear();
-    mine.dropped.clear();
+    mine.clear_lists();
+  }
+  // What is changed from here on, up to the next step, is undone all at once.
+  void begin_step(std::size_t part = whole)
+  {
+    if (Log& mine = log(part); mine.is_recording)
+      mine.steps.push_back({mine.record.size(), mine.made.size(), mine.dropped.size()});
   }
   void commit(std::size_t part = whole)
   {
@@ -228,9 +226,33 @@ public:
     for (const auto& [c, replaced] : mine.record)
       if (!is_free(c) && !(replaced.sites() == m_cells[c].sites()))
         for (int i = 0; i < 4; ++i)
-          m_corners[vertices(c)[i]] = corner(c, i);
+          note_corner(corner(c, i), part);
     mine.free.insert(mine.free.end(), mine.made.begin(), mine.made.end());
   }
+  // Undoes, of the steps since begin(), those that have changed one of some cells, or a cell that
+  // such a step has changed; others remain, and can be undone. Appends to the cells those that are
+  // as before now.
+  template <class Marks>
+  void undo_around(std::vector<Cell_index>& cells, Marks& marks)
+  {
+    marks.clear(number_of_cells());
+    for (const Cell_index c : cells)
+      marks.insert(c);
+    const std::vector<char> is_undone = find_steps_around(marks);
+    Log undone, kept;
+    for (std::size_t i = 0; i < is_undone.size(); ++i)
+      (is_undone[i] != 0 ? undone : kept).append_step(m_log, i);
+    m_log.swap_lists(undone);
+    undo();
+    marks.clear(number_of_cells());
+    for_each_changed([&](Cell_index c) {
+      if (marks.insert(c))
+        cells.push_back(c);
+    });
+    m_log.swap_lists(kept);
+    m_log.is_recording = true;
+  }
+  std::size_t number_of_changes() const { return m_log.record.size(); } // since begin()
   // Calls f(c) for each cell that was changed or made since begin() and exists; for some
   // repeatedly.
   template <class Function>
@@ -243,8 +265,8 @@ public:
 
   // PARTS -----------------------------------------------------------------------------------------
 
-  // Threads may change different parts of the cells at the same time, if each cell and each vertex
-  // belongs to one part at most. Each part has free cells and transactions of its own. A
+  // Threads may change different parts of the cells at the same time, if each cell and each finite
+  // vertex belongs to one part at most. Each part has free cells and transactions of its own. A
   // transaction of all that is going on when they begin records what they change.
 
   // Begins with free_cells(part) free cells in each part, if there are numbers for them.
@@ -267,6 +289,8 @@ public:
   void end_parts()
   {
     for (Log& part : m_logs) {
+      if (part.corner_at_infinity != null_index) // its last change of the hull has made this one
+        m_corners[infinite_index] = part.corner_at_infinity;
       m_log.append(part);
       part = Log(); // in rough frames records are large
     }
@@ -333,6 +357,16 @@ protected:
     record(c, part);
   }
 
+  // Lets walks around a vertex of a cell that has changed begin there. All parts have the infinite
+  // vertex: its corner remains as it is until end_parts().
+  void note_corner(Corner_index k, std::size_t part = whole)
+  {
+    if (part != whole && vertex(k) == infinite_index)
+      m_logs[part].corner_at_infinity = k;
+    else
+      m_corners[vertex(k)] = k;
+  }
+
   void record(Cell_index c, std::size_t part = whole)
   {
     if (Log& mine = log(part); mine.is_recording)
@@ -351,6 +385,12 @@ private:
     return cell;
   }
 
+  // Where the changes of a step begin in each list of a log.
+  struct Step
+  {
+    std::size_t record, made, dropped;
+  };
+
   // What changes use up and record: of all, or of a part, in lines of the cache of its own.
   struct alignas(64) Log
   {
@@ -359,16 +399,84 @@ private:
       free.insert(free.end(), part.free.begin(), part.free.end());
       if (!is_recording)
         return;
-      record.insert(record.end(), part.record.begin(), part.record.end());
-      made.insert(made.end(), part.made.begin(), part.made.end());
-      dropped.insert(dropped.end(), part.dropped.begin(), part.dropped.end());
+      for (const Step& step : part.steps)
+        steps.push_back(
+            {record.size() + step.record, made.size() + step.made, dropped.size() + step.dropped});
+      append_range(record, part.record, 0, part.record.size());
+      append_range(made, part.made, 0, part.made.size());
+      append_range(dropped, part.dropped, 0, part.dropped.size());
+    }
+    void append_step(const Log& other, std::size_t i)
+    {
+      const Step step = other.steps[i], next = other.end_of_step(i);
+      steps.push_back({record.size(), made.size(), dropped.size()});
+      append_range(record, other.record, step.record, next.record);
+      append_range(made, other.made, step.made, next.made);
+      append_range(dropped, other.dropped, step.dropped, next.dropped);
+    }
+    Step end_of_step(std::size_t i) const
+    {
+      return i + 1 < steps.size() ? steps[i + 1] : Step{record.size(), made.size(), dropped.size()};
+    }
+    void clear_lists()
+    {
+      record.clear();
+      made.clear();
+      dropped.clear();
+      steps.clear();
+    }
+    void swap_lists(Log& other)
+    {
+      record.swap(other.record);
+      made.swap(other.made);
+      dropped.swap(other.dropped);
+      steps.swap(other.steps);
     }
 
     std::vector<Cell_index> free;
+    Corner_index corner_at_infinity = null_index; // of a part that has changed the hull
     bool is_recording = false;
     std::vector<std::pair<Cell_index, Cell>> record; // what was overwritten, in order
     std::vector<Cell_index> made, dropped;
+    std::vector<Step> steps;
+
+  private:
+    template <class Element>
+    static void append_range(std::vector<Element>& list, const std::vector<Element>& other,
+                             std::size_t first, std::size_t beyond)
+    {
+      list.insert(list.end(), other.begin() + std::ptrdiff_t(first),
+                  other.begin() + std::ptrdiff_t(beyond));
+    }
   };
+
+  // Which steps have changed a marked cell, or a cell of another such step. Marks all their cells.
+  template <class Marks>
+  std::vector<char> find_steps_around(Marks& marks) const
+  {
+    std::vector<char> are_around(m_log.steps.size(), 0);
+    for (bool has_grown = true; has_grown;) {
+      has_grown = false;
+      for (std::size_t i = are_around.size(); i-- > 0;)
+        if (are_around[i] == 0 && mark_step(i, marks)) {
+          are_around[i] = 1;
+          has_grown = true;
+        }
+    }
+    return are_around;
+  }
+  // If a step has changed a marked cell, marks all that it has changed.
+  template <class Marks>
+  bool mark_step(std::size_t i, Marks& marks) const
+  {
+    const auto first = m_log.record.begin() + std::ptrdiff_t(m_log.steps[i].record);
+    const auto beyond = m_log.record.begin() + std::ptrdiff_t(m_log.end_of_step(i).record);
+    const bool is_marked =
+        std::any_of(first, beyond, [&](const auto& former) { return marks.has(former.first); });
+    for (auto former = first; is_marked && former != beyond; ++former)
+      marks.insert(former->first);
+    return is_marked;
+  }
 
   Log& log(std::size_t part) { return part == whole ? m_log : m_logs[part]; }
   const Log& log(std::size_t part) const { return part == whole ? m_log : m_logs[part]; }
@@ -484,8 +592,10 @@ void find_star(const Cell_arrays_3<Cell>& arrays, Vertex_index v, Marks& marks,
         images += w == v;
     for (int i = 0; i < 4; ++i)
       if (cell.vertices[i] != v || images > 1)
-        if (const Cell_index c = arrays.cell_of(cell.mirrors[i]); marks.insert(c))
+        if (const Cell_index c = arrays.cell_of(cell.mirrors[i]); marks.insert(c)) {
+          arrays.prefetch(c);
           star.push_back(c);
+        }
   }
 }
 

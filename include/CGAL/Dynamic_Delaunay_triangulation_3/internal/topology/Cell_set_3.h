@@ -34,13 +34,13 @@ public:
       m_age = 1;
     }
   }
+  bool has(Cell_index c) const { return m_entries[find(c)].age == m_age; }
   // Whether the cell was not in it before.
   bool insert(Cell_index c)
   {
-    std::size_t i = place_of(c);
-    for (; m_entries[i].age == m_age; i = (i + 1) % m_entries.size())
-      if (m_entries[i].cell == c)
-        return false;
+    const std::size_t i = find(c);
+    if (m_entries[i].age == m_age)
+      return false;
     m_entries[i] = {c, m_age};
     if (2 * ++m_size > m_entries.size())
       grow();
@@ -55,6 +55,15 @@ private:
   };
 
   std::size_t place_of(Cell_index c) const { return std::uint32_t(c * 0x9e3779b1u) >> m_shift; }
+
+  // The entry of a cell, or that which it would get.
+  std::size_t find(Cell_index c) const
+  {
+    std::size_t i = place_of(c);
+    while (m_entries[i].age == m_age && m_entries[i].cell != c)
+      i = (i + 1) & (m_entries.size() - 1);
+    return i;
+  }
 
   void grow()
   {

@@ -18,6 +18,12 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
+// Room for a few more than so many: frames change the number of cells little.
+inline std::size_t with_reserve(std::size_t cells)
+{
+  return cells + cells / 128 + 64;
+}
+
 // Up to which way of all vertices each cell is proved, while that is kept. The *travel* is the sum
 // of the longest ways of vertices in each frame. A cell with a slack, when it is measured, is safe
 // as long as the travel has not grown by more.
@@ -88,8 +94,11 @@ public:
   }
   void resize(std::size_t cells)
   {
-    if (m_is_on)
-      m_until.resize(cells, 0);
+    if (!m_is_on)
+      return;
+    if (m_until.capacity() < cells)
+      m_until.reserve(with_reserve(cells)); // resize() alone may double it
+    m_until.resize(cells, 0);
   }
   void move(Cell_index from, Cell_index to)
   {

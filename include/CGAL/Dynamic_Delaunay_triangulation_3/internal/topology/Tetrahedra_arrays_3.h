@@ -86,7 +86,7 @@ public:
     note(c, part);
     m_cells[c].vertices = v;
     for (int i = 0; i < 4; ++i)
-      m_corners[v[i]] = corner(c, i);
+      note_corner(corner(c, i), part);
   }
 
   // Makes two corners each other's mirror.

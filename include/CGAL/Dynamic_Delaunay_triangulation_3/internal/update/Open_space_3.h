@@ -12,6 +12,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Filtered_certificate_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Triangulation_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Static_triangulator_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_set_3.h>
 
 #include <string_view>
 #include <vector>
@@ -47,7 +48,7 @@ public:
   // Whether cells, which are all positive, cover space once.
   bool go_on_to_cover_once()
   {
-    find_star(m_state.arrays, infinite_index, m_state.marks, m_star);
+    find_star(m_state.arrays, infinite_index, m_in_star, m_star);
     return Hull_count_3<State>(m_state).is_one(m_star);
   }
 
@@ -62,6 +63,7 @@ private:
 
   State& m_state;
   std::vector<Cell_index> m_star;
+  Cell_set_3 m_in_star;
 };
 
 // Space without a boundary: what an update does there.

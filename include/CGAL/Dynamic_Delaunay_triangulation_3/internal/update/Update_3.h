@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Calm_frames_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/State_base_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_set_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Chosen_rebuilds_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Waiting_points_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/update/Whole_rebuild_3.h>
@@ -232,7 +233,7 @@ private:
     m_examined = Examined_cells();
     for (const std::vector<Cell_index>* cells : {&m_unproved.finite, &m_unproved.infinite})
       append_by_parts<typename State::Exact_parts>(
-          cells->size(), least_tested_3<Parts>,
+          cells->size(), least_tested_3<Parts>(cells->size()),
           [&](std::size_t i, std::size_t beyond, Examined_cells& examined) {
             const typename Flips::Signs signs(m_state);
             for (; i < beyond; ++i) {
@@ -268,7 +269,15 @@ private:
   // Opens the facets of cells that were not proved, each once.
   void open_illegal()
   {
-    Cell_marks_3& marks = m_state.marks;
+    const std::size_t number = m_examined.bad.size() + m_examined.positive.size();
+    if (number < m_state.arrays.number_of_cells() / 64) // marks take memory of all cells
+      open_illegal(m_seen);
+    else
+      open_illegal(m_state.marks);
+  }
+  template <class Marks>
+  void open_illegal(Marks& marks)
+  {
     marks.clear(m_state.arrays.number_of_cells());
     for (const std::vector<Cell_index>* cells : {&m_examined.bad, &m_examined.positive})
       for (const Cell_index c : *cells)
@@ -348,6 +357,7 @@ private:
   Update_report_3 m_report;
   Unproved_cells_3 m_unproved;
   Examined_cells m_examined;
+  Cell_set_3 m_seen; // by a step of the update
 };
 
 // Defined outside of the class, so that they are not inline: where they are declared extern,
@@ -395,6 +405,8 @@ Update_report_3 Update_3<Space>::run(const Change_3<Point>& change, const Chosen
   }
   m_report.flips += m_flips.number_of_flips();
   m_flips.clear();
+  m_held.forget();
+  m_state.marks = Cell_marks_3();
   m_unproved = Unproved_cells_3();
   m_examined = Examined_cells();
   m_report.certified = m_is_certified = true;
