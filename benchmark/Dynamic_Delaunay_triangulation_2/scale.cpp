@@ -36,7 +36,9 @@
 // that has no name, such as the proof. serial is the time outside of parts, and share its part of
 // the whole. x16 is how many times faster 16 threads would be that share the very same parts, each
 // taking the next one as soon as it is free: an upper limit, without waking threads up, and as if
-// caches and memory served them all at once. All figures are medians over the frames.
+// caches and memory served them all at once. All figures are medians over the frames. --space has
+// points in space instead, open and periodic; there, examine tests by exact predicates what
+// floating point has not proved.
 //
 // Outside of the timing every frame has to be certified, all numbers of threads have to lead to the
 // same edges with the same numbers, and up to 200,000 points the last frame has to agree with a
@@ -49,6 +51,7 @@
 #include "scale/Scale_output.h"
 #include "scale/Scale_run.h"
 #include "scale/Serial_share.h"
+#include "scale/Serial_space.h"
 #include "scale/Stream_bandwidth.h"
 
 #include <CLI/CLI.hpp>
@@ -72,6 +75,7 @@ struct Scale_options
   std::filesystem::path output{RESULTS_DIR "/scale"};
   bool is_quick = false;
   bool is_serial = false;
+  bool is_in_space = false;
 };
 
 const Motion_kind drift{"drift", 0.01, 0.0, 0.0, false};
@@ -94,8 +98,10 @@ void add_options(CLI::App& app, Scale_options& options)
                      CLI::Range(1, most_threads));
   common::add_option(app, "--output", options.output, "DIR",
                      "where CSV files and the figure go; default build/dev/bench/scale");
-  app.add_flag("--serial", options.is_serial,
-               "on one thread, how much of the time threads could share, phase by phase");
+  CLI::Option* const serial =
+      app.add_flag("--serial", options.is_serial,
+                   "on one thread, how much of the time threads could share, phase by phase");
+  app.add_flag("--space", options.is_in_space, "the same of points in space")->needs(serial);
   app.add_flag("--quick", options.is_quick, "a first look, in some seconds");
 }
 
@@ -159,6 +165,11 @@ void write_serial_shares(const Scale_options& options)
   Serial_table table(std::cout);
   for (const std::size_t points : options.points) {
     const std::size_t frames = options.is_quick ? 3 : 9;
+    if (options.is_in_space) {
+      write_serial_shares_in_space<Measured_in_open_space>(table, "", points, frames);
+      write_serial_shares_in_space<Measured_in_periodic_space>(table, "cell ", points, frames);
+      continue;
+    }
     write_serial_shares<Measured_in_the_plane>(table, "", points, frames);
     write_serial_shares<Measured_in_a_cell>(table, "cell ", points, frames);
   }
@@ -187,12 +198,18 @@ std::vector<Memory_record> measure_memory(const Scale_options& options)
   return records;
 }
 
+std::vector<std::size_t> serial_points(bool is_in_space)
+{
+  return is_in_space ? std::vector<std::size_t>{10'000, 100'000}
+                     : std::vector<std::size_t>{100'000, 1'000'000};
+}
+
 bool run_scale(Scale_options options, const std::string& command)
 {
   if (options.points.empty()) {
     options.points = options.is_quick ? std::vector<std::size_t>{1000, 20'000}
                      : options.is_serial
-                         ? std::vector<std::size_t>{100'000, 1'000'000}
+                         ? serial_points(options.is_in_space)
                          : std::vector<std::size_t>{1000, 10'000, 100'000, 1'000'000, 10'000'000};
   }
   if (options.is_serial) {

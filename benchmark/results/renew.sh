@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #
 # Runs benchmarks and writes what they print to NAME.txt beside this script: renew.sh NAME...
-# serial_share is what scale prints with --serial.
+# serial_share is what scale prints with --serial, and serial_share_in_space with --serial --space.
 # The first lines of a file give the command, the day and the machine.
 
 set -euo pipefail
@@ -13,7 +13,7 @@ dev=$results/../../dev
 
 benchmark_of() {
   case $1 in
-  serial_share) echo scale ;;
+  serial_share | serial_share_in_space) echo scale ;;
   *) echo "$1" ;;
   esac
 }
@@ -21,6 +21,7 @@ benchmark_of() {
 options_of() {
   case $1 in
   serial_share) echo --serial ;;
+  serial_share_in_space) echo --serial --space ;;
   cells | simulation_helpers) echo --benchmark_min_time=0.1 --benchmark_repetitions=7 ;;
   esac
 }

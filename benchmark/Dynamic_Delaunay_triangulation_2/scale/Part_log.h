@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <functional>
 #include <queue>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -24,9 +25,9 @@ namespace scale {
 class Part_log
 {
 public:
-  enum Phase { READ, DECIDE, CLASSIFY, HOLD, FLIP, RELEASE, REST, number_of_phases };
+  enum Phase { READ, DECIDE, CLASSIFY, EXAMINE, HOLD, FLIP, RELEASE, REST, number_of_phases };
   static constexpr std::array<const char*, number_of_phases> names = {
-      "read", "decide", "classify", "hold", "flip", "release", "rest"};
+      "read", "decide", "classify", "examine", "hold", "flip", "release", "rest"};
 
   struct Entry
   {
@@ -71,6 +72,11 @@ public:
     m_entries[m_phase].total += end - m_begin;
     m_begin = end;
     m_phase = phase;
+  }
+
+  void enter(std::string_view name)
+  {
+    enter(static_cast<Phase>(std::find(names.begin(), names.end(), name) - names.begin()));
   }
 
   const Entries& finish()
@@ -131,6 +137,12 @@ struct Measured_tag : CGAL::Parallel_tag
 } // namespace scale
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
+
+template <>
+struct Phase_log<scale::Measured_tag>
+{
+  static void enter(const char* name) { scale::Part_log::instance().enter(name); }
+};
 
 template <>
 class Part_runner<scale::Measured_tag>

@@ -25,6 +25,14 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
 
+// Is told which phase of an update in space begins. The benchmark `scale` has a tag of its own,
+// whose log measures each phase.
+template <class ConcurrencyTag>
+struct Phase_log
+{
+  static void enter(const char*) {}
+};
+
 // Who does the parts of some work: threads, or without `Parallel_tag` the calling thread. The
 // benchmark `scale` has a tag of its own, whose runner measures each part.
 //

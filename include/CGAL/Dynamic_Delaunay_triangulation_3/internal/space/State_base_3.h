@@ -55,6 +55,7 @@ public:
   using Arrays = Arrays_of_space;
   using Ids = Dynamic_Delaunay_triangulations_2::internal::Point_ids_2<Point>;
   using Parts = Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<ConcurrencyTag>;
+  using Phases = Dynamic_Delaunay_triangulations_2::internal::Phase_log<ConcurrencyTag>;
   // Of what exact predicates decide: other coordinates than doubles are computed when they are
   // needed, and points share them.
   using Exact_parts = Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<

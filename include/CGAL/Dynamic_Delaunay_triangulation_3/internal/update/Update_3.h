@@ -44,6 +44,7 @@ class Update_3
   using Place = typename State::Place;
   using Reason = Rebuild_reason_2;
   using Parts = typename State::Parts;
+  using Phases = typename State::Phases;
   using Flips = Lawson_flips_3<State>;
 
 public:
@@ -187,23 +188,29 @@ private:
     const Position_3 old_origin = m_state.origin, mean = mean_motion();
     if (!m_state.begin_frame(mean, m_other.positions))
       return Reason::STUCK;
+    Phases::enter("classify");
     m_calm_frames.find_unproved(m_state, m_other.positions, mean, !m_other.has_other_cell(),
                                 m_unproved);
     m_report.unproved = m_unproved.finite.size();
     if (is_hopeless())
       return Reason::TOO_MUCH_BROKEN;
+    Phases::enter("examine");
     examine_unproved();
     const std::size_t vertices = m_state.number_of_vertices();
     if (m_examined.bad.size() > few_inverted + vertices / inverted_share)
       return Reason::TOO_MUCH_BROKEN;
+    Phases::enter("hold");
     m_held.begin(mean, old_origin);
     const bool is_held = m_held.hold(m_examined.bad, few_held + vertices / held_share);
     m_report.held = m_held.number();
     if (!is_held)
       return Reason::TOO_MUCH_BROKEN;
+    Phases::enter("flip");
     open_illegal();
     m_flip_parts.run(m_flips);
+    Phases::enter("release");
     m_held.release();
+    Phases::enter("rest");
     // only from a Delaunay triangulation can vertices be taken out, or be inserted into it
     if (!unstick() || !m_proof.go_on_to_cover_once())
       return Reason::STUCK;
