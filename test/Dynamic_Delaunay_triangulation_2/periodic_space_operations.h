@@ -97,7 +97,7 @@ public:
 
   void do_something()
   {
-    switch (m_setting.deforms && number_below(3) > 0 ? 5 : number_below(16)) {
+    switch (m_setting.deforms && number_below(3) > 0 ? 5 : number_below(17)) {
     case 0:
       return insert(1 + number_below(1 + m_points.size() / 4));
     case 1:
@@ -114,6 +114,8 @@ public:
       return change_cell();
     case 8:
       return go_on_with_a_copy();
+    case 9:
+      return glide();
     default:
       return move_all();
     }
@@ -311,6 +313,25 @@ private:
         return point_at({x, y, z});
       return wraps && number_below(3) == 0 ? image(moved) : moved;
     });
+  }
+  // Some calm frames. What is on a wall nearly always stays there.
+  void glide()
+  {
+    constexpr int frames = 12;
+    const double step = 1e-5 * std::cbrt(size() / double(m_points.size() + 1));
+    std::normal_distribution<double> normal(0, step);
+    for (int frame = 0; frame < frames; ++frame)
+      update([&](std::size_t, const Point& p) {
+        Position moved{p.x(), p.y(), p.z()};
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const bool is_on_wall = m_setting.walls && axis >= vectors() &&
+                                  (moved[axis] == 0 || moved[axis] == m_setting.scale);
+          if (!is_on_wall || number_below(64) == 0)
+            moved[axis] += normal(m_random);
+        }
+        const Point q = point_at(moved);
+        return is_far(q) ? p : q;
+      });
   }
   bool is_far(const Point& p) const
   {

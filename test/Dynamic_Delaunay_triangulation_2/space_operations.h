@@ -188,7 +188,7 @@ public:
 
   void do_something()
   {
-    switch (number_below(12)) {
+    switch (number_below(13)) {
     case 0:
       return insert(1 + number_below(1 + m_points.size() / 4));
     case 1:
@@ -199,9 +199,31 @@ public:
       return remove(1);
     case 4:
       return move_one();
+    case 5:
+      return glide();
     default:
       return move_all();
     }
+  }
+
+  // Some calm frames in a box, with points on its walls at times, where these nearly always stay.
+  void glide()
+  {
+    constexpr int frames = 12;
+    const double step = 1e-5 * m_extent / std::cbrt(double(m_points.size() + 1));
+    const bool has_walls = number_below(2) == 0;
+    std::normal_distribution<double> normal(0, step);
+    for (int frame = 0; frame < frames; ++frame)
+      update([&](Position p) {
+        for (double* const x : {&p.x, &p.y, &p.z}) {
+          if (has_walls && (frame == 0 ? number_below(6) == 0 : *x < 0 || *x > m_extent))
+            *x = *x < m_extent / 2 ? 0 : m_extent;
+          const bool is_on_wall = has_walls && (*x == 0 || *x == m_extent);
+          if (!is_on_wall || number_below(64) == 0)
+            *x = on_grid(*x + normal(m_random));
+        }
+        return p;
+      });
   }
 
 private:

@@ -6,6 +6,7 @@
 
 #include "space_oracle.h"
 #include "space_points.h"
+#include "space_twins.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
@@ -17,7 +18,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -35,6 +35,8 @@ using Point = Epick::Point_3;
 using Points = space_points::Points;
 using Open = CGAL::Dynamic_Delaunay_triangulation_3<Epick>;
 using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_3<Epick>;
+using space_twins::follow;
+using space_twins::Twins;
 
 // THE SLACK OF A CELL -----------------------------------------------------------------------------
 
@@ -268,63 +270,6 @@ TEST(Slack, ignores_the_infinite_vertex)
 
 // FRAMES ------------------------------------------------------------------------------------------
 
-// What is kept, beside a copy that has to test every cell in each frame.
-template <class Dynamic>
-class Twins
-{
-public:
-  explicit Twins(const Dynamic& dt)
-    : m_kept(dt)
-    , m_other(dt)
-  {
-  }
-
-  const Dynamic& kept() const { return m_kept; }
-  bool leaves_out() const { return safe_cells(m_kept).is_on(); }
-  std::size_t frames_left_out() const { return m_left_out; }
-
-  // Calls f for both, and compares what they report and have then.
-  template <class Function>
-  void change(const Function& f)
-  {
-    forget(m_other);
-    const CGAL::Update_report_3 report = f(m_kept), expected = f(m_other);
-    ASSERT_EQ(report.unproved, expected.unproved);
-    ASSERT_EQ(report.flips, expected.flips);
-    ASSERT_EQ(report.held, expected.held);
-    ASSERT_EQ(report.relocated, expected.relocated);
-    ASSERT_EQ(report.rebuilt(), expected.rebuilt());
-    ASSERT_TRUE(m_kept.is_valid(true));
-    ASSERT_EQ(cells(m_kept), cells(m_other));
-    m_left_out += leaves_out();
-  }
-
-private:
-  static const internal::Safe_cells_3& safe_cells(const Dynamic& dt)
-  {
-    return internal::Triangulation_access::state(dt).arrays.safe_cells();
-  }
-  static void forget(Dynamic& dt) { const_cast<internal::Safe_cells_3&>(safe_cells(dt)).stop(); }
-
-  static std::vector<std::vector<std::size_t>> cells(const Dynamic& dt)
-  {
-    std::vector<std::vector<std::size_t>> cells;
-    dt.for_each_cell([&](const auto& ids, const auto&... shifts) {
-      cells.emplace_back(ids.begin(), ids.end());
-      [[maybe_unused]] const auto append = [&](const auto& all) {
-        for (const auto& shift : all)
-          for (const int x : shift)
-            cells.back().push_back(std::size_t(x));
-      };
-      (append(shifts), ...);
-    });
-    return cells;
-  }
-
-  Dynamic m_kept, m_other;
-  std::size_t m_left_out = 0;
-};
-
 Twins<Open> open_twins(const Points& points)
 {
   return Twins<Open>(Open(points.begin(), points.end()));
@@ -332,24 +277,6 @@ Twins<Open> open_twins(const Points& points)
 Twins<Periodic> periodic_twins(const Points& points)
 {
   return Twins<Periodic>(Periodic(points.begin(), points.end(), CGAL::Periodic_cell_3(1, 1, 1)));
-}
-
-template <class Dynamic>
-void follow(Twins<Dynamic>& twins, const Points& points)
-{
-  twins.change([&](Dynamic& dt) { return dt.update(points); });
-}
-
-// Follows frames, each of which moves the points. Most of them have to be calm.
-template <class Dynamic>
-void follow(Twins<Dynamic> twins, Points points, int frames, std::size_t calm,
-            const std::function<void(Points&, int)>& move)
-{
-  for (int frame = 0; frame < frames; ++frame) {
-    move(points, frame);
-    ASSERT_NO_FATAL_FAILURE(follow(twins, points)) << "frame " << frame;
-  }
-  EXPECT_GE(twins.frames_left_out(), calm);
 }
 
 // In the unit cube 1,000 points are 0.1 apart.

@@ -312,6 +312,45 @@ TEST(Threads_in_periodic_space, change_nothing_in_rough_frames)
   }
 }
 
+// Calm frames in a slab and in a duct, a third of whose points slide along the walls.
+TEST(Threads_in_periodic_space, change_nothing_in_calm_frames_at_walls)
+{
+  using Sequential = CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick>;
+  using Parallel =
+      CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick,
+                                                      CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
+  using Point = Sequential::Point;
+  using Cell = CGAL::Periodic_cell_3;
+  for (const Cell& cell : {Cell({1, 0, 0}, {0, 1, 0}), Cell(Cell::Coordinates{1, 0, 0})}) {
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> coordinate(0, 1);
+    std::normal_distribution<double> normal(0, 1e-5);
+    const auto on_wall = [&](std::size_t i, double y, double z) {
+      const bool is_across_z = cell.is_slab() || i % 2 == 0;
+      return i % 3 != 0    ? std::pair(y, z)
+             : is_across_z ? std::pair(y, std::rint(z))
+                           : std::pair(std::rint(y), z);
+    };
+    std::vector<Point> points;
+    for (std::size_t i = 0; i < 1500; ++i) {
+      const double x = coordinate(random), a = coordinate(random);
+      const auto [y, z] = on_wall(i, a, coordinate(random));
+      points.emplace_back(x, y, z);
+    }
+    Compared<Sequential, Parallel> compared(points, cell);
+    for (int frame = 0; frame < 30; ++frame) {
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const Point p = points[i];
+        const double x = p.x() + normal(random), a = p.y() + normal(random);
+        const auto [y, z] = on_wall(i, a, p.z() + normal(random));
+        points[i] = Point(x, y, z);
+      }
+      compared.update(points);
+    }
+    EXPECT_TRUE(compared.is_valid());
+  }
+}
+
 } // namespace
 
 #else

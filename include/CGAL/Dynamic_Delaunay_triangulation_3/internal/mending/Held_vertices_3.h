@@ -78,9 +78,10 @@ public:
   // vertices would have to be held: then the frame has to be rebuilt.
   bool hold(const std::vector<Cell_index>& bad, std::size_t most)
   {
-    if (!bad.empty())
+    if (!bad.empty()) {
       make_room();
-    m_state.find_walls();
+      m_state.find_walls();
+    }
     arrays().begin();
     m_whole.bad = bad;
     m_whole.failed.clear();
@@ -482,11 +483,6 @@ private:
       m_state.origin = m_old_origin;
       find_all_bad();
     }
-  }
-
-  static bool is_same(const Position_3& p, const Position_3& q)
-  {
-    return p.x == q.x && p.y == q.y && p.z == q.z;
   }
 
   Place home(Vertex_index v) const { return Place(m_previous.position(v) + m_mean); }

@@ -94,6 +94,14 @@ inline Position_3 operator*(double factor, const Position_3& v)
 {
   return {factor * v.x, factor * v.y, factor * v.z};
 }
+inline bool is_same(const Position_3& p, const Position_3& q)
+{
+  return p.x == q.x && p.y == q.y && p.z == q.z;
+}
+inline double coordinate(const Position_3& p, int axis)
+{
+  return axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+}
 inline double squared_length(const Position_3& v)
 {
   return v.x * v.x + v.y * v.y + v.z * v.z;

@@ -52,8 +52,11 @@ public:
     if (!is_combinatorially_valid())
       return false;
     find_unproved(m_state, unproved);
-    return std::all_of(unproved.finite.begin(), unproved.finite.end(),
-                       [this](Cell_index c) { return is_Delaunay(c); }) &&
+    const auto are_Delaunay = [this](const std::vector<Cell_index>& cells) {
+      return std::all_of(cells.begin(), cells.end(),
+                         [this](Cell_index c) { return is_Delaunay(c); });
+    };
+    return are_Delaunay(unproved.finite) && are_Delaunay(unproved.infinite) &&
            (m_state.number_of_vertices() == 0 || covers_once());
   }
   // What is wrong, or null, by exact predicates alone.

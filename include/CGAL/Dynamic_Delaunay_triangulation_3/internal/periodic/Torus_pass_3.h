@@ -94,6 +94,24 @@ public:
     return {&m_positions[vertex(cell, place)], &m_translations[numbers[place]]};
   }
 
+  // Whether a finite cell has large shifts only because infinite vertices are beyond its facets.
+  bool is_beneath_hull(const Cell& cell) const
+  {
+    Cell other = cell;
+    for (int i = 0; i < 4; ++i)
+      if (vertex(cell, 4 + i) == infinite_index)
+        other.beyond[i] = Torus_shift_3();
+    return has_small_shifts(other);
+  }
+  // As `image`, of such a cell; infinite vertices are nowhere, as in open space.
+  BOOST_FORCEINLINE Translated_3 image_beneath_hull(const Cell& cell, const Numbers& numbers,
+                                                    int place) const
+  {
+    if (place >= 4 && vertex(cell, place) == infinite_index)
+      return {&m_positions[Vertex_index(infinite_index)], &m_translations[0]};
+    return image(cell, numbers, place);
+  }
+
 private:
   static constexpr int bits = 3, side = 1 << bits, low = side - 1;
   // Of codes of shifts, to which `middle` is added, these bits count in the table.
@@ -159,11 +177,13 @@ BOOST_FORCEINLINE void append_unproved_in_torus(const Few<Cell_index, lanes>& so
 
 // Tests so many cells, the i-th of which is cell_at(i). Cells without shifts, most of them, read
 // positions from where they are; those of others are translated. A block of cells is sorted before
-// its cells are tested, so that the two kinds of tests do not alternate.
+// its cells are tested, so that the two kinds of tests do not alternate. Cells with large shifts
+// are not tested, but listed.
 template <int lanes, class Cell_at, class Learned>
 BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::size_t cells,
                                                 const Cell_at& cell_at, const Learned& learned,
-                                                std::vector<Cell_index>& unproved)
+                                                std::vector<Cell_index>& unproved,
+                                                std::vector<Cell_index>& large)
 {
   using Dynamic_Delaunay_triangulations_2::internal::prefetch;
   constexpr std::size_t ahead = 16;
@@ -190,8 +210,8 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
   const auto sort_by_size = [&](const Few<Cell_index, 1>& some) CGAL_DYNAMIC_DELAUNAY_INLINE {
     const bool is_small = view.has_small_shifts(view.cell(some[0]));
     shifted.add_if(is_small, some[0]);
-    if (!is_small) // left to exact predicates
-      unproved.push_back(some[0]);
+    if (!is_small)
+      large.push_back(some[0]);
   };
   for (std::size_t n = 0; n < cells;) {
     const std::size_t beyond = (std::min)(n + Waiting_cells_3::block, cells);
@@ -214,6 +234,31 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
   shifted.template take<1>(test_shifted);
 }
 
+// Tests cells beneath the hull of a slab or a wire.
+template <int lanes, class Learned>
+BOOST_FORCEINLINE void
+append_unproved_beneath_hull(const Torus_view_3& view, const std::vector<Cell_index>& cells,
+                             const Learned& learned, std::vector<Cell_index>& unproved)
+{
+  const auto test = [&](const auto& some) CGAL_DYNAMIC_DELAUNAY_INLINE {
+    Few<Torus_view_3::Numbers, std::decay_t<decltype(some)>::size> numbers;
+    for (int i = 0; i < numbers.size; ++i)
+      numbers[i] = view.translations_of(view.cell(some[i]));
+    append_unproved_in_torus(
+        some,
+        [&](int i, int place) CGAL_DYNAMIC_DELAUNAY_INLINE {
+          return view.image_beneath_hull(view.cell(some[i]), numbers[i], place);
+        },
+        view.squared_error(), learned, unproved);
+  };
+  Waiting_cells_3 waiting;
+  for (const Cell_index c : cells) {
+    waiting.add_if(true, c);
+    waiting.template take<lanes>(test);
+  }
+  waiting.template take<1>(test);
+}
+
 // What a pass over a torus reads.
 template <class Traits, class ConcurrencyTag>
 class Pass_view_3<Torus_state_3<Traits, ConcurrencyTag>>
@@ -232,14 +277,33 @@ public:
   void append_unproved(std::size_t number, const Cell_at& cell_at, const Learned& learned,
                        Unproved_cells_3& unproved) const
   {
+    std::vector<Cell_index> large;
     call_with_lanes([&](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
-      append_unproved_in_lanes<lanes>(m_view, number, cell_at, learned, unproved.finite);
+      append_unproved_in_lanes<lanes>(m_view, number, cell_at, learned, unproved.finite, large);
     });
+    if (!large.empty())
+      append_unproved_of_large(large, learned, unproved);
     // which cells are tested at once depends on those that are left out
     std::sort(unproved.finite.begin(), unproved.finite.end());
   }
 
 private:
+  // Exact predicates have to look at cells with large shifts, but for those beneath the hull.
+  template <class Learned>
+  void append_unproved_of_large(const std::vector<Cell_index>& large, const Learned& learned,
+                                Unproved_cells_3& unproved) const
+  {
+    std::vector<Cell_index> beneath_hull;
+    for (const Cell_index c : large)
+      (has_infinite(m_view.cell(c).vertices)    ? unproved.infinite
+       : m_view.is_beneath_hull(m_view.cell(c)) ? beneath_hull
+                                                : unproved.finite)
+          .push_back(c);
+    call_with_lanes([&](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
+      append_unproved_beneath_hull<lanes>(m_view, beneath_hull, learned, unproved.finite);
+    });
+  }
+
   Torus_view_3 m_view;
 };
 

@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_removal_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_state_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_triangulator_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/walls/Torus_hull_view_3.h>
 
 #include <string_view>
 

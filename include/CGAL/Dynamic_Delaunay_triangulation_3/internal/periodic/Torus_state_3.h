@@ -67,6 +67,11 @@ public:
   }
   const Multiples_3& multiples(Vertex_index v) const { return m_multiples[v]; }
   Index number() const { return Index(m_positions.size()); }
+  // Whether a vertex is exactly where others have it.
+  bool has_same(Vertex_index v, const Torus_positions_3& others) const
+  {
+    return m_multiples[v] == others.m_multiples[v] && is_same(base(v), others.base(v));
+  }
   Torus_place_3 place(Vertex_index v) const
   {
     Torus_place_3 place(m_positions[v]);
@@ -327,6 +332,7 @@ public:
   // are not proved, but fewer broken.
   static constexpr std::size_t most_broken = 6; // cells a vertex
   static constexpr bool positions_are_exact = true;
+  static constexpr bool mends_by_cells = true;
 
   // Next to the hull of a slab, the facets of which are as large as the cell, a vertex has so many
   // neighbors that only a short way breaks few of its cells: 38 percent of the frames of 1,000
@@ -393,6 +399,15 @@ public:
     return {is_beyond(wanted.x, m_low.x, m_high.x) ? other.x : wanted.x,
             is_beyond(wanted.y, m_low.y, m_high.y) ? other.y : wanted.y,
             is_beyond(wanted.z, m_low.z, m_high.z) ? other.z : wanted.z};
+  }
+
+  // Whether images that have a coordinate of their positions in common have it exactly so.
+  bool has_levels(int axis) const
+  {
+    bool has = torus.is_open_along(std::size_t(axis));
+    for (int i = 0; i < torus.dimension(); ++i)
+      has = has && coordinate(torus.vector(i), axis) == 0;
+    return has;
   }
 
   // The hull of a wire may have moved across its axis.

@@ -7,6 +7,8 @@
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_pass_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Flat_walls_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Hull_pass_3.h>
 
 #include <algorithm>
 #include <array>
@@ -23,7 +25,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // tested again; the longest way of all points in each frame, relative to their mean motion, is
 // taken off. What changes a cell or a neighbor of it makes it unsafe, and so does what moves a
 // vertex beside frames (`Cell_arrays_3`). So a safe cell is one that the pass would prove, and
-// leaving it out changes no result.
+// leaving it out changes no result. Infinite cells get theirs from `Hull_pass_3`, and those on flat
+// walls keep it while their vertices stay on these.
 //
 // To test a cell here and there, and to learn its slack, takes two to three times as long as to
 // test it in turn. So slacks are learned where a sample tells that less than three in ten cells
@@ -35,20 +38,32 @@ class Calm_frames_3
   using Positions = typename State::Positions;
 
 public:
+  // Of all vertices, and of what signs depend on beside them.
+  struct Motion
+  {
+    Position_3 mean, old_origin;
+    bool is_whole; // whether all there is has moved with them, not a periodic cell as well
+  };
+
   // Finds what floating point does not prove in a frame in which vertices have moved from
-  // `previous`. `is_whole`: whether all there is has moved with them, not a periodic cell as well.
-  void find_unproved(State& state, const Positions& previous, const Position_3& mean, bool is_whole,
+  // `previous`, and the infinite cells that hull_pass() has to look at.
+  void find_unproved(State& state, const Positions& previous, const Motion& motion,
                      Unproved_cells_3& unproved)
   {
     Safe_cells_3& safe_cells = state.arrays.safe_cells();
-    const bool is_possible = state.positions_are_exact && is_whole;
+    const bool is_possible = state.positions_are_exact && motion.is_whole;
     const double error = Pass_view_3<State>::error_of(state);
-    if (!is_possible ||
-        error > 1.5 * m_error) // slacks keep twice the room that the filter asks for
+    const Position_3& mean = motion.mean;
+    // slacks keep twice the room that the filter asks for; an origin that has stayed behind, for
+    // vertices that were held, is not in them
+    if (!is_possible || error > 1.5 * m_error || !is_same(motion.old_origin, m_origin))
       safe_cells.stop();
+    m_origin = state.origin;
     const bool is_due = is_possible && !safe_cells.is_on() && is_rested();
-    const double way = is_due || safe_cells.is_on() ? longest_way(state, previous, mean) : 0;
-    if (!(way < std::numeric_limits<double>::infinity()))
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double way = is_due || safe_cells.is_on() ? longest_way(state, previous, mean) : infinity;
+    m_way = way;
+    if (!(way < infinity))
       safe_cells.stop();
     else if (is_due)
       start_if_calm(state, way);
@@ -56,6 +71,7 @@ public:
       internal::find_unproved(state, unproved);
       return;
     }
+    follow_walls(state, previous);
     safe_cells.advance(way);
     const std::size_t tested = find_unproved_unless_safe(state, unproved);
     if (5 * tested <= 2 * std::size_t(state.arrays.number_of_cells()))
@@ -65,9 +81,19 @@ public:
     m_is_going_on = true;
   }
 
+  // What tests infinite cells in this frame. Each thread needs one of its own.
+  Hull_pass_3<State> hull_pass(const State& state) const
+  {
+    return {state, m_walls, m_way < std::numeric_limits<double>::infinity()};
+  }
+
+  // How far a vertex or the origin has gone in this frame at most, relative to the mean motion.
+  double way() const { return m_way; }
+
 private:
   static constexpr std::size_t sample = 64;                        // cells
   static constexpr unsigned shortest_rest = 4, longest_rest = 256; // frames
+  static constexpr unsigned frames_to_new_walls = 16;
 
   bool is_rested()
   {
@@ -87,8 +113,29 @@ private:
     m_next_rest = (std::min)(2 * m_next_rest, longest_rest);
   }
 
+  // Cells of vertices that have left a wall are no longer safe.
+  void follow_walls(State& state, const Positions& previous)
+  {
+    if (!m_is_going_on) // they have just been found
+      return;
+    typename State::Arrays& arrays = state.arrays;
+    if (m_walls.follow(state, previous, m_left)) {
+      for (const Vertex_index v : m_left) {
+        find_star(arrays, v, state.marks, m_star);
+        arrays.forget_safe_cells(m_star);
+      }
+    } else {
+      for (Cell_index c(0); c < arrays.number_of_cells(); ++c)
+        if (arrays.is_infinite(c))
+          arrays.safe_cells().forget(c);
+    }
+    if (++m_frames % frames_to_new_walls == 0)
+      m_walls.find(state);
+  }
+
   // How long the longest way is, at least. Each coordinate of a difference of two positions and the
-  // mean is off by 2.1 units in the last place of itself, and 1.1 of the mean's.
+  // mean is off by 2.1 units in the last place of itself, and 1.1 of the mean's; the origin, which
+  // goes with the mean, by one in that of its own.
   static double longest_way(const State& state, const Positions& previous, const Position_3& mean)
   {
     using Parts = typename State::Parts;
@@ -107,7 +154,8 @@ private:
     for (const double square : squares)
       largest = square <= largest ? largest : square;
     // squares below 1e-300 may have underflowed
-    return std::sqrt(largest) * (1 + 0x1p-48) + 0x1p-51 * std::sqrt(squared_length(mean)) + 1e-140 +
+    return std::sqrt(largest) * (1 + 0x1p-48) + 0x1p-51 * std::sqrt(squared_length(mean)) +
+           0x1p-52 * std::sqrt(squared_length(state.origin)) + 1e-140 +
            Pass_view_3<State>::error_of(state);
   }
 
@@ -115,6 +163,8 @@ private:
   // tested in the next ones.
   void start_if_calm(State& state, double way)
   {
+    m_walls.clear();
+    m_walls.find(state);
     std::vector<double> slacks = sampled_slacks(state);
     double tested = 0;
     for (const double slack : slacks)
@@ -138,13 +188,22 @@ private:
     view.append_unproved(
         sample, [cells](std::size_t n) { return Cell_index(cells * n / sample); },
         Slacks_learned_3(view.error_of(state), append), unproved);
-    slacks.resize(sample, 0); // infinite cells are never safe
+    const Hull_pass_3<State> hull(state, m_walls, true);
+    for (const Cell_index c : unproved.infinite)
+      slacks.push_back(hull.answer(c).lasting_slack());
+    slacks.resize(sample, 0); // also those with large shifts
     return slacks;
   }
 
   unsigned m_rest = 1, m_next_rest = shortest_rest; // frames
   bool m_is_going_on = false;                       // not in the first frame
   double m_error = 0;                               // of rounded vectors in the first frame
+  Position_3 m_origin{0, 0, 0};                     // of the last frame
+  double m_way = 0;                                 // infinite if it is unknown
+  Flat_walls_3<State> m_walls;                      // while slacks are kept
+  unsigned m_frames = 0;                            // since then
+  std::vector<Vertex_index> m_left;
+  std::vector<Cell_index> m_star;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -35,7 +35,7 @@ struct Unproved_cells_3
   }
 
   std::vector<Cell_index> finite;   // not proved positive, or one of their facets not legal
-  std::vector<Cell_index> infinite; // all of them
+  std::vector<Cell_index> infinite; // all of them, but for safe ones
 };
 
 using Dynamic_Delaunay_triangulations_2::internal::prefetch;

@@ -72,6 +72,11 @@ public:
     }
   }
   Place place(Vertex_index v) const { return Place(m_positions[v], point(v)); }
+  // Whether a vertex is exactly where others have it; false where it costs more to know.
+  bool has_same(Vertex_index v, const Positions_3& others) const
+  {
+    return is_three_doubles<Point> && internal::is_same(m_positions[v], others.m_positions[v]);
+  }
 
   void set(Vertex_index v, const Place& place)
   {

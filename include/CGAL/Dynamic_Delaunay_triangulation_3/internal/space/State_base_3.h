@@ -41,8 +41,12 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //   Position_3 on_wall(p, q, r)       the same instead of r, if a frame moves it from p to q
 //   find_walls()                      before vertices are held, where all are at their targets
 //   Position_3 between_walls(r, q)    where another vertex waits instead of r, if it belongs to q
+//   bool has_levels(axis)             whether sites with equal coordinates of their rounded
+//                                     positions along an axis have them exactly in common
 //   bool goes_on_to_cover_once()      whether cells, infinite ones too, that are positive before
 //                                     and after motion go on to cover space once
+//   bool mends_by_cells               whether what is to be mended is taken up in the order of
+//                                     cells, not infinite cells last
 //   spans_space, positions_are_exact, has_origin, origin, most_broken
 template <class GeomTraits, class ConcurrencyTag, class Positions_of_space, class Arrays_of_space>
 class State_base_3

@@ -94,6 +94,8 @@ public:
   // 0.14 mean spacings break three cells a vertex; then both ways take as long.
   static constexpr std::size_t most_broken = 3; // cells a vertex
 
+  static constexpr bool mends_by_cells = false;
+
   static double smallest_way() { return 0.25; }
   static Position_3 along_hull(const Position_3&, const Position_3& to,
                                const std::vector<Cell_index>&)
@@ -106,6 +108,7 @@ public:
   }
   static void find_walls() {}
   static Position_3 between_walls(const Position_3& wanted, const Position_3&) { return wanted; }
+  static constexpr bool has_levels(int) { return true; }
   static constexpr bool goes_on_to_cover_once() { return false; } // a ray says so
 
   explicit Triangulation_state_3(const Traits& geometry = Traits())

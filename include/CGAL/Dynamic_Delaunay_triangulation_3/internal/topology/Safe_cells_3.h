@@ -86,6 +86,12 @@ public:
     m_until[c] = until > 0 ? Number((std::min)(until, largest)) : Number(0);
   }
 
+  void learn_slack(Cell_index c, double slack)
+  {
+    if (m_is_on)
+      set_slack(c, slack);
+  }
+
   // What changes of the cells bring about.
   void forget(Cell_index c)
   {

@@ -189,13 +189,13 @@ private:
     if (!m_state.begin_frame(mean, m_other.positions))
       return Reason::STUCK;
     Phases::enter("classify");
-    m_calm_frames.find_unproved(m_state, m_other.positions, mean, !m_other.has_other_cell(),
-                                m_unproved);
+    m_calm_frames.find_unproved(m_state, m_other.positions,
+                                {mean, old_origin, !m_other.has_other_cell()}, m_unproved);
     m_report.unproved = m_unproved.finite.size();
     if (is_hopeless())
       return Reason::TOO_MUCH_BROKEN;
     Phases::enter("examine");
-    examine_unproved();
+    examine_unproved(old_origin);
     const std::size_t vertices = m_state.number_of_vertices();
     if (m_examined.bad.size() > few_inverted + vertices / inverted_share)
       return Reason::TOO_MUCH_BROKEN;
@@ -212,10 +212,24 @@ private:
     m_held.release();
     Phases::enter("rest");
     // only from a Delaunay triangulation can vertices be taken out, or be inserted into it
-    if (!unstick() || !m_proof.go_on_to_cover_once())
+    if (!unstick() || !go_on_to_cover_once())
       return Reason::STUCK;
     return take_out_left() ? Reason::NONE : Reason::STUCK;
   }
+
+  // Of the cells that were not proved.
+  struct Examined_cells
+  {
+    void append(Cell_index c, bool is_positive) { (is_positive ? positive : bad).push_back(c); }
+    void append(const Examined_cells& others)
+    {
+      bad.insert(bad.end(), others.bad.begin(), others.bad.end());
+      positive.insert(positive.end(), others.positive.begin(), others.positive.end());
+      hull_was_in_sight = hull_was_in_sight && others.hull_was_in_sight;
+    }
+    std::vector<Cell_index> bad, positive; // an inverted or flat cell is bad
+    bool hull_was_in_sight = true;
+  };
 
   Position_3 mean_motion() const
   {
@@ -234,8 +248,9 @@ private:
     return sum;
   }
 
-  // Tells the cells that are not positive from others, on threads.
-  void examine_unproved()
+  // Tells the cells that are not positive from others, on threads. Leaves out infinite cells that
+  // are right.
+  void examine_unproved(const Position_3& old_origin)
   {
     m_examined = Examined_cells();
     for (const std::vector<Cell_index>* cells : {&m_unproved.finite, &m_unproved.infinite})
@@ -243,12 +258,44 @@ private:
           cells->size(), least_tested_3<Parts>(cells->size()),
           [&](std::size_t i, std::size_t beyond, Examined_cells& examined) {
             const typename Flips::Signs signs(m_state);
+            const Hull_pass_3<State> hull = m_calm_frames.hull_pass(m_state);
             for (; i < beyond; ++i) {
-              prefetch_around<false>(m_state, *cells, i);
-              examined.append((*cells)[i], signs.is_positive(m_state.arrays.sites((*cells)[i])));
+              const Cell_index c = (*cells)[i];
+              if (cells == &m_unproved.infinite) {
+                prefetch_around<true>(m_state, *cells, i);
+                if (is_right(hull, c, old_origin, examined))
+                  continue;
+              } else {
+                prefetch_around<false>(m_state, *cells, i);
+              }
+              examined.append(c, signs.is_positive(m_state.arrays.sites(c)));
             }
           },
           m_examined);
+    if (State::mends_by_cells) {
+      std::sort(m_examined.bad.begin(), m_examined.bad.end());
+      std::sort(m_examined.positive.begin(), m_examined.positive.end());
+    }
+  }
+  // Whether an infinite cell is right; it gets its slack. One whose slack of sight is more than the
+  // way of this frame was positive all the way.
+  bool is_right(const Hull_pass_3<State>& hull, Cell_index c, const Position_3& old_origin,
+                Examined_cells& examined)
+  {
+    const auto answer = hull.answer(c);
+    m_state.arrays.safe_cells().learn_slack(c, answer.lasting_slack());
+    examined.hull_was_in_sight &= answer.slack_of_sight > m_calm_frames.way();
+    return answer.slack > 0 ||
+           (!m_other.has_other_cell() &&
+            hull.has_rested(m_state, m_other.positions, old_origin, c)) ||
+           hull.is_right(c);
+  }
+  // Whether cells, which are all positive, go on to cover space once. They do where the hull has
+  // not met the origin: all infinite cells have been positive all along the straight ways of this
+  // frame, and then before and after each flip. Else the proof has to look.
+  bool go_on_to_cover_once()
+  {
+    return (m_examined.hull_was_in_sight && m_held.number() == 0) || m_proof.go_on_to_cover_once();
   }
   // Whether so many cells are broken that flips cost more than a rebuild, or get stuck, as after
   // the first motion of a lattice. A sample tells broken cells from those with ties.
@@ -332,18 +379,6 @@ private:
     m_held.forget(); // all are where they belong; insertion may give others their numbers
     return true;
   }
-
-  // Of the cells that were not proved.
-  struct Examined_cells
-  {
-    void append(Cell_index c, bool is_positive) { (is_positive ? positive : bad).push_back(c); }
-    void append(const Examined_cells& others)
-    {
-      bad.insert(bad.end(), others.bad.begin(), others.bad.end());
-      positive.insert(positive.end(), others.positive.begin(), others.positive.end());
-    }
-    std::vector<Cell_index> bad, positive; // an inverted or flat cell is bad
-  };
 
   static constexpr std::size_t sample = 64; // cells
   static constexpr std::size_t few_inverted = 16, inverted_share = 4, few_held = 20, held_share = 8;

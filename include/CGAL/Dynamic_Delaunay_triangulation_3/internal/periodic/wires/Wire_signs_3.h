@@ -61,16 +61,25 @@ public:
     const Position_3 v = m_state.position(f[1]) - p, w = m_state.position(f[2]) - p;
     int positive = 0;
     for (const Torus_site_3& s : f) {
-      const Position_3 y = m_state.position(s) - m_state.origin;
-      const Position_3 across = y - m_state.torus.fractions(y).x * m_state.torus.vector(0);
-      const double squared_error =
-          2.2 * m_state.squared_error + square_of_roundings * squared_length(y);
-      const int sign = m_predicates.filtered_orientation_of(v, w, across, squared_error);
+      const Rounded x = across(s);
+      const int sign = m_predicates.filtered_orientation_of(v, w, x.way, x.squared_error);
       if (sign < 0)
         return -1;
       positive += sign;
     }
     return int(positive == 3);
+  }
+  // From the axis to a site, across the wire, with the square of a length by which that is off.
+  struct Rounded
+  {
+    Position_3 way;
+    double squared_error;
+  };
+  Rounded across(const Torus_site_3& s) const
+  {
+    const Position_3 y = m_state.position(s) - m_state.origin;
+    return {y - m_state.torus.fractions(y).x * m_state.torus.vector(0),
+            2.2 * m_state.squared_error + square_of_roundings * squared_length(y)};
   }
   int exact(const Torus_facet_3& f) const
   {
@@ -117,6 +126,21 @@ public:
   // line at s and k - s.
   int side_beside(const Torus_facet_3& f, int pair, const Torus_site_3& other) const
   {
+    const double excess = excess_beside(f, pair, other);
+    return excess > 0 ? 1 : excess < 0 ? -1 : 0;
+  }
+  // How far all vertices may move while such a site stays outside, 0 if it is not proved to be. If
+  // they move by d, s changes by 2 d / |a| at most, and k - m - 2 s by twice that.
+  double slack_beside(const Torus_facet_3& f, int pair, const Torus_site_3& other) const
+  {
+    const double excess = excess_beside(f, pair, other);
+    return excess < 0 ? 0.24 * (-excess - 1e-6) * m_state.torus.volume() : 0;
+  }
+
+private:
+  // What is not 0, with the sign of `side_beside`, and at most 1e-7 off, if that is proved.
+  double excess_beside(const Torus_facet_3& f, int pair, const Torus_site_3& other) const
+  {
     const Torus_site_3 &low = f[pair], &high = f[(pair + 1) % 3], &opposite = f[(pair + 2) % 3];
     const int k = (high.shift - low.shift).multiples()[0];
     const int m = (other.shift - opposite.shift).multiples()[0];
@@ -127,10 +151,9 @@ public:
     if (!(std::sqrt(m_state.squared_error) < 1e-8 * torus.volume() && std::abs(value) > 1e-6 &&
           std::abs(s) < 0x1p22))
       return 0;
-    return (m > 0) == (value > 0) ? 1 : -1;
+    return (m > 0) == (value > 0) ? std::abs(value) : -std::abs(value);
   }
 
-private:
   static constexpr double square_of_roundings = 4e-30; // 2 * (12 * 2^-53)^2, and a tenth more
 
   Torus_point_3 origin() const
