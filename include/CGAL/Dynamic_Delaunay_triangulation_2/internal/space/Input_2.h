@@ -304,7 +304,9 @@ public:
     if constexpr (is_random_access<InputIterator>) {
       points.resize(length);
       Parts::for_each_element(length, [&](std::size_t i) {
-        auto&& value = *(first + typename std::iterator_traits<InputIterator>::difference_type(i));
+        // it has to outlive the value, which may be a part of it
+        const auto place = first + typename std::iterator_traits<InputIterator>::difference_type(i);
+        auto&& value = *place;
         points[i] = get(point_map, value);
       });
     } else
