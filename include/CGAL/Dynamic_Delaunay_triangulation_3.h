@@ -39,7 +39,7 @@ their plane.
 
 The method is \ref DynamicDelaunaySection_Space "hold, flip and release in space". Cost of an
 update: one pass over the cells in floating point, and what its repair takes, never much more than
-to triangulate all points anew. Memory: some 280 bytes a point, from the first frame on 330.
+to triangulate all points anew. Memory: some 260 bytes a point, from the first frame on 300.
 
 \tparam Traits a CGAL kernel with exact predicates, such as
   `Exact_predicates_inexact_constructions_kernel`; where its coordinates are not doubles, floating
