@@ -24,7 +24,7 @@ template <class Element>
 class Index_of
 {
 public:
-  Index_of() {} ///< sets nothing, as `Edge_2()`.
+  Index_of() = default;
   template <class Integer, class = std::enable_if_t<std::is_integral_v<Integer>>>
   constexpr explicit Index_of(Integer number)
     : m_number(Index(number))

@@ -44,7 +44,7 @@ public:
     std::size_t number = none;
     bool is_inside = false;
     std::array<std::size_t, 3> walls{none, none, none};
-    std::array<Position_2, 3> normals{{{0, 0}, {0, 0}, {0, 0}}}; // of the edges, outward
+    std::array<Position_2, 3> normals{}; // of the edges, outward
   };
 
   using Kernel = Exact_predicates_inexact_constructions_kernel;

@@ -19,15 +19,6 @@ struct __attribute__((may_alias)) Position_2
 struct Position_2
 #endif
 {
-  /// sets nothing, so that no thread writes an array of positions before all threads do.
-  Position_2() {}
-  /// sets both coordinates.
-  constexpr Position_2(double abscissa, double ordinate)
-    : x(abscissa)
-    , y(ordinate)
-  {
-  }
-
   double x, y;
 };
 
