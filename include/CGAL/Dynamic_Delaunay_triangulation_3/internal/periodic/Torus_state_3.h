@@ -13,6 +13,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/Torus_translations_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/wires/Wire_signs_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Cell_signs_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Flat_walls_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/State_base_3.h>
 
 #include <boost/config.hpp>
@@ -371,22 +372,13 @@ public:
   // Finds flat walls across axes: planes with several vertices, beyond which there is none.
   void find_walls()
   {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const auto wall = [&](std::size_t axis, double sign, const auto& coordinate) {
-      double outermost = -infinity;
-      std::size_t number = 0;
-      for (Vertex_index v(1); torus.is_open_along(axis) && v < positions.number(); ++v) {
-        const double x = sign * coordinate(positions.position(v));
-        number = x > outermost ? 1 : number + (x == outermost);
-        outermost = (std::max)(outermost, x);
-      }
-      return sign * (number < few_on_wall ? infinity : outermost);
+    const auto wall = [&](int axis, double sign) {
+      return torus.is_open_along(std::size_t(axis))
+                 ? flat_wall(positions, axis, sign)
+                 : sign * std::numeric_limits<double>::infinity();
     };
-    const auto x = [](const Position_3& p) { return p.x; };
-    const auto y = [](const Position_3& p) { return p.y; };
-    const auto z = [](const Position_3& p) { return p.z; };
-    m_low = {wall(0, -1, x), wall(1, -1, y), wall(2, -1, z)};
-    m_high = {wall(0, 1, x), wall(1, 1, y), wall(2, 1, z)};
+    m_low = {wall(0, -1), wall(1, -1), wall(2, -1)};
+    m_high = {wall(0, 1), wall(1, 1), wall(2, 1)};
   }
 
   // The place `wanted`, but with a coordinate of another one where it is beyond a flat wall: there
@@ -617,8 +609,6 @@ private:
       measures = measures.with(of_part);
     return measures;
   }
-
-  static constexpr std::size_t few_on_wall = 4;
 
   Position_3 m_low{0, 0, 0}, m_high{0, 0, 0}; // flat walls, or infinite
   Torus_measures_3 m_present;                 // of all vertices

@@ -10,11 +10,29 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// The coordinate along an axis of the outermost positions on the side of a sign, if several have it
+// exactly in common: that of a flat wall. Otherwise it is infinite.
+template <class Positions>
+double flat_wall(const Positions& positions, int axis, double sign)
+{
+  constexpr std::size_t few_on_wall = 4;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double outermost = -infinity;
+  std::size_t number = 0;
+  for (Vertex_index v(1); v < positions.number(); ++v) {
+    const double x = sign * coordinate(positions.position(v), axis);
+    number = x > outermost ? 1 : number + (x == outermost);
+    outermost = (std::max)(outermost, x);
+  }
+  return sign * (number < few_on_wall ? infinity : outermost);
+}
 
 // Flat walls of the hull: planes across coordinate axes in which several vertices are, and beyond
 // which none was when they were found. Walls may move; a vertex stays on one as long as it has its
@@ -39,8 +57,11 @@ public:
   {
     for (int axis = 0; axis < 3; ++axis)
       if (state.has_levels(axis))
-        for (const double sign : {-1.0, 1.0})
-          add_outermost(state, axis, sign);
+        for (const double sign : {-1.0, 1.0}) {
+          const double level = flat_wall(state.positions, axis, sign);
+          if (std::abs(level) < std::numeric_limits<double>::infinity() && !has(axis, level))
+            m_walls.push_back({axis, level});
+        }
   }
 
   // Goes on to the present positions of a frame, and lists the vertices that have left a wall since
@@ -74,20 +95,6 @@ private:
     double level;
   };
 
-  void add_outermost(const State& state, int axis, double sign)
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    double outermost = -infinity;
-    std::size_t number = 0;
-    for (Vertex_index v(1); v < state.positions.number(); ++v) {
-      const double x = sign * coordinate(state.positions.position(v), axis);
-      number = x > outermost ? 1 : number + (x == outermost);
-      outermost = (std::max)(outermost, x);
-    }
-    if (number >= few_on_wall && !has(axis, sign * outermost))
-      m_walls.push_back({axis, sign * outermost});
-  }
-
   // The middle one of the new coordinates of the first three vertices: one of them may leave.
   static double new_level(const Wall& wall, const State& state, const Positions& previous)
   {
@@ -100,7 +107,7 @@ private:
     return number == 0 ? std::numeric_limits<double>::quiet_NaN() : levels[number / 2];
   }
 
-  static constexpr std::size_t few_on_wall = 4, few_left = 16;
+  static constexpr std::size_t few_left = 16;
 
   std::vector<Wall> m_walls;
 };
