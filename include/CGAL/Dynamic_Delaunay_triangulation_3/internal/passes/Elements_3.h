@@ -43,8 +43,6 @@ using Dynamic_Delaunay_triangulations_2::internal::null_index;
 template <class T, int number>
 struct Few
 {
-  static constexpr int size = number;
-
   T elements[number];
 
   const T& operator[](int place) const { return elements[place]; }

@@ -17,7 +17,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
@@ -175,6 +174,23 @@ BOOST_FORCEINLINE void append_unproved_in_torus(const Few<Cell_index, lanes>& so
                                                        Lanes<lanes>(squared_error));
 }
 
+// The same of cells with shifts: image(cell, numbers, place) is a vertex where it is seen.
+template <int lanes, class Image, class Learned>
+BOOST_FORCEINLINE void append_unproved_of_images(const Torus_view_3& view,
+                                                 const Few<Cell_index, lanes>& some,
+                                                 const Image& image, const Learned& learned,
+                                                 std::vector<Cell_index>& unproved)
+{
+  Few<Torus_view_3::Numbers, lanes> numbers;
+  for (int i = 0; i < lanes; ++i)
+    numbers[i] = view.translations_of(view.cell(some[i]));
+  append_unproved_in_torus(
+      some,
+      [&](int i, int place)
+          CGAL_DYNAMIC_DELAUNAY_INLINE { return image(view.cell(some[i]), numbers[i], place); },
+      view.squared_error(), learned, unproved);
+}
+
 // Tests so many cells, the i-th of which is cell_at(i). Cells without shifts, most of them, read
 // positions from where they are; those of others are translated. A block of cells is sorted before
 // its cells are tested, so that the two kinds of tests do not alternate. Cells with large shifts
@@ -197,15 +213,11 @@ BOOST_FORCEINLINE void append_unproved_in_lanes(const Torus_view_3& view, std::s
         view.squared_error(), learned, unproved);
   };
   const auto test_shifted = [&](const auto& some) CGAL_DYNAMIC_DELAUNAY_INLINE {
-    Few<Torus_view_3::Numbers, std::decay_t<decltype(some)>::size> numbers;
-    for (int i = 0; i < numbers.size; ++i)
-      numbers[i] = view.translations_of(view.cell(some[i]));
-    append_unproved_in_torus(
-        some,
-        [&](int i, int place) CGAL_DYNAMIC_DELAUNAY_INLINE {
-          return view.image(view.cell(some[i]), numbers[i], place);
-        },
-        view.squared_error(), learned, unproved);
+    append_unproved_of_images(
+        view, some,
+        [&](const auto& cell, const auto& numbers, int place)
+            CGAL_DYNAMIC_DELAUNAY_INLINE { return view.image(cell, numbers, place); },
+        learned, unproved);
   };
   const auto sort_by_size = [&](const Few<Cell_index, 1>& some) CGAL_DYNAMIC_DELAUNAY_INLINE {
     const bool is_small = view.has_small_shifts(view.cell(some[0]));
@@ -241,15 +253,11 @@ append_unproved_beneath_hull(const Torus_view_3& view, const std::vector<Cell_in
                              const Learned& learned, std::vector<Cell_index>& unproved)
 {
   const auto test = [&](const auto& some) CGAL_DYNAMIC_DELAUNAY_INLINE {
-    Few<Torus_view_3::Numbers, std::decay_t<decltype(some)>::size> numbers;
-    for (int i = 0; i < numbers.size; ++i)
-      numbers[i] = view.translations_of(view.cell(some[i]));
-    append_unproved_in_torus(
-        some,
-        [&](int i, int place) CGAL_DYNAMIC_DELAUNAY_INLINE {
-          return view.image_beneath_hull(view.cell(some[i]), numbers[i], place);
-        },
-        view.squared_error(), learned, unproved);
+    append_unproved_of_images(
+        view, some,
+        [&](const auto& cell, const auto& numbers, int place)
+            CGAL_DYNAMIC_DELAUNAY_INLINE { return view.image_beneath_hull(cell, numbers, place); },
+        learned, unproved);
   };
   Waiting_cells_3 waiting;
   for (const Cell_index c : cells) {
