@@ -239,14 +239,19 @@ TYPED_TEST(Threads_in_space, throw_the_same)
   EXPECT_EQ(checkpoint_of(together), before);
 }
 
-// Cells that shear, shrink and are flipped, points that are wrapped, come and go, and coincide.
-TEST(Threads_in_periodic_space, change_nothing_but_the_time)
+class Threads_in_periodic_space : public testing::Test
 {
+protected:
   using Sequential = CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick>;
   using Parallel =
       CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick,
                                                       CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
   using Point = Sequential::Point;
+};
+
+// Cells that shear, shrink and are flipped, points that are wrapped, come and go, and coincide.
+TEST_F(Threads_in_periodic_space, change_nothing_but_the_time)
+{
   const CGAL::Periodic_cell_3 unit(1, 1, 1);
   CGAL::Dynamic_population_3<Sequential> alone{Sequential(unit)};
   CGAL::Dynamic_population_3<Parallel> together{Parallel(unit)};
@@ -283,13 +288,8 @@ TEST(Threads_in_periodic_space, change_nothing_but_the_time)
 }
 
 // Rough frames, in a cube and in a slab.
-TEST(Threads_in_periodic_space, change_nothing_in_rough_frames)
+TEST_F(Threads_in_periodic_space, change_nothing_in_rough_frames)
 {
-  using Sequential = CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick>;
-  using Parallel =
-      CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick,
-                                                      CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
-  using Point = Sequential::Point;
   for (const CGAL::Periodic_cell_3& cell :
        {CGAL::Periodic_cell_3(1, 1, 1), CGAL::Periodic_cell_3({1, 0, 0}, {0, 1, 0})}) {
     std::mt19937_64 random(1);
@@ -313,13 +313,8 @@ TEST(Threads_in_periodic_space, change_nothing_in_rough_frames)
 }
 
 // Calm frames in a slab and in a duct, a third of whose points slide along the walls.
-TEST(Threads_in_periodic_space, change_nothing_in_calm_frames_at_walls)
+TEST_F(Threads_in_periodic_space, change_nothing_in_calm_frames_at_walls)
 {
-  using Sequential = CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick>;
-  using Parallel =
-      CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick,
-                                                      CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
-  using Point = Sequential::Point;
   using Cell = CGAL::Periodic_cell_3;
   for (const Cell& cell : {Cell({1, 0, 0}, {0, 1, 0}), Cell(Cell::Coordinates{1, 0, 0})}) {
     std::mt19937_64 random(1);
