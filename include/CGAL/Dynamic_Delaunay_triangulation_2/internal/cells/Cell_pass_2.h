@@ -192,16 +192,19 @@ private:
       return;
     const std::size_t id = space.id_of_cell(c);
     space.prefetch(id);
-    prefetch(&m_first_pieces[id + 1]);
-    prefetch(&m_first_rings[id + 1]);
+    if (m_has_pieces) {
+      prefetch(&m_first_pieces[id + 1]);
+      prefetch(&m_first_rings[id + 1]);
+    }
   }
   template <class Space>
   void prefetch_record(const Space& space, Index id, Index beyond) const
   {
     if (id >= beyond || !space.has_id(id))
       return;
-    prefetch(m_records.data() + space.cell(id));
-    prefetch(m_sources.data() + space.cell(id));
+    prefetch(&m_records[space.cell(id)]);
+    if (m_has_pieces)
+      prefetch(&m_sources[space.cell(id)]);
   }
   template <class Space>
   void prefetch_pieces(const Space& space, Index id, Index beyond) const
