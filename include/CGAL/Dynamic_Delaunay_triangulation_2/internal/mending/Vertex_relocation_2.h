@@ -427,25 +427,12 @@ private:
     return {nearby, Index(spread)};
   }
 
-  // The hint, or if the vertex that waits has not gone far, one by its number: those with the next
-  // numbers are near where it was. A search from there takes a third of the time.
-  Location_hint_2 nearer_hint(Vertex_index v, const Location_hint_2& hint) const
-  {
-    constexpr Index few = 16;
-    const Vertex_index w = v > 1 ? Vertex_index(v - 1) : Vertex_index(v + 1);
-    const bool is_nearer =
-        w < m_state.arrays().number_of_vertices() && !m_state.arrays().is_outside(w) &&
-        m_state.rounded_squared_distance(v, w) < m_state.rounded_squared_distance(v, hint.nearby);
-    return is_nearer ? Location_hint_2{w, few} : hint;
-  }
-
   // Puts in the vertex of the i-th position. False if another vertex is there, which covers the
   // points now.
   bool put_in(Index i, const Location_hint_2& hint, std::size_t most, Counts& counts)
   {
     const Slot slot = m_slots[i];
-    const Location location =
-        locate_vertex(m_state, slot.vertex, waits(i) ? nearer_hint(slot.vertex, hint) : hint);
+    const Location location = locate_vertex(m_state, slot.vertex, hint);
     counts.steps += location.steps;
     counts.parted += parts(i);
     m_editor.reserve_for_covered(1);
