@@ -246,27 +246,28 @@ void remove_by_parts(std::vector<Index_of_kind>& indices, std::size_t least, con
   indices.erase(std::remove(indices.begin(), indices.end(), null_index), indices.end());
 }
 
-// Appends several lists, the k-th of which is list_of(k). Threads copy them if they are long. If it
-// throws, nothing has changed.
+// Appends several lists, the k-th of which is list_of(k). Threads copy them if they are long.
 template <class Parts, class List_of, class Element>
 void append_lists(std::size_t number, const List_of& list_of, std::vector<Element>& list)
 {
-  const auto size_before = [&](std::size_t k) {
-    std::size_t size = 0;
-    for (std::size_t i = 0; i < k; ++i)
-      size += list_of(i).size();
-    return size;
-  };
-  const std::size_t first = list.size(), more = size_before(number);
-  reserve_extra(list, more); // nothing throws from here on
-  if (Parts::are_shared(Parts::number(more))) {
-    list.resize(first + more);
-    Parts::run(number, [&](std::size_t k) {
-      std::copy(list_of(k).begin(), list_of(k).end(), list.data() + first + size_before(k));
-    });
-  } else
-    for (std::size_t k = 0; k < number; ++k)
-      list.insert(list.end(), list_of(k).begin(), list_of(k).end());
+  if constexpr (Parts::is_parallel) {
+    const auto size_before = [&](std::size_t k) {
+      std::size_t size = 0;
+      for (std::size_t i = 0; i < k; ++i)
+        size += list_of(i).size();
+      return size;
+    };
+    const std::size_t first = list.size(), more = size_before(number);
+    if (Parts::are_shared(Parts::number(more))) {
+      reserve_extra(list, more);
+      list.resize(first + more);
+      return Parts::run(number, [&](std::size_t k) {
+        std::copy(list_of(k).begin(), list_of(k).end(), list.data() + first + size_before(k));
+      });
+    }
+  }
+  for (std::size_t k = 0; k < number; ++k)
+    list.insert(list.end(), list_of(k).begin(), list_of(k).end());
 }
 
 // Appends what append(i, beyond, list) appends for all parts [i, beyond) of a range, in their

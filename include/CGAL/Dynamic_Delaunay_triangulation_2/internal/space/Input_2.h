@@ -301,7 +301,7 @@ public:
     std::vector<Point>& points = change.coming_points;
     const std::size_t present = state.ids().number_of_points();
     const std::size_t length = length_within_limit(first, beyond, present);
-    if constexpr (is_random_access<InputIterator>) {
+    if constexpr (Parts::is_parallel && is_random_access<InputIterator>) {
       points.resize(length);
       Parts::for_each_element(length, [&](std::size_t i) {
         // it has to outlive the value, which may be a part of it
@@ -309,11 +309,13 @@ public:
         auto&& value = *place;
         points[i] = get(point_map, value);
       });
-    } else
+    } else {
+      points.reserve(length);
       for (; first != beyond; ++first) {
         check_limit(present + points.size() + 1);
         points.push_back(get(point_map, *first));
       }
+    }
     state.ids().list_next_ids(points.size(), change.coming);
     const std::size_t inexact = Parts::sum(points.size(), [&](std::size_t i, std::size_t end) {
       bool are_exact = true;

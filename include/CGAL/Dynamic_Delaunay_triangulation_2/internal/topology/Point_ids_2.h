@@ -264,10 +264,11 @@ public:
     if (number == 0)
       return;
     try {
-      make_distinct(m_free_ids); // ascending numbers are a heap; by bits, in half the time of one
-    } catch (const std::bad_alloc&) {
-      std::make_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
+      if (make_distinct_by_bits(m_free_ids)) // ascending numbers are a heap, in half the time
+        return;
+    } catch (const std::bad_alloc&) { // a heap needs no memory
     }
+    std::make_heap(m_free_ids.begin(), m_free_ids.end(), std::greater<Index>());
   }
 
   // Reserve memory for more vertices, for more covered points, or for more free ids. Then nothing

@@ -101,7 +101,8 @@ private:
       return false;
     for (std::size_t tried = 0; tried < edges.size();) {
       tried = (std::min)((std::max)(2 * tried, std::size_t(32)), edges.size());
-      m_uncertain.assign(edges.begin(), edges.begin() + std::ptrdiff_t(tried));
+      m_uncertain = edges;
+      m_uncertain.resize(tried);
       if (!m_flips.try_to_prove(m_uncertain, 20 + 4 * tried))
         return false;
     }

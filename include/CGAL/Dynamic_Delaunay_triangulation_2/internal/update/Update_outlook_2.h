@@ -63,35 +63,42 @@ private:
     return m_steps == 1 ? price : price * 7 / 8;
   }
 
-  // Counts those of about `size` edges, or of all, for which is(edge). Threads share them.
-  template <class Predicate>
-  std::size_t count_sampled(std::size_t size, const Predicate& is) const
+  // A sample of about `size` edges, or of all, takes one of so many.
+  std::size_t stride(std::size_t size) const { return 1 + m_frame.number_of_edges() / size; }
+  std::size_t number_sampled(std::size_t size) const
+  {
+    return (m_frame.number_of_edges() + stride(size) - 1) / stride(size);
+  }
+
+  // Counts the edges of a sample of a kind. Threads share them.
+  using Kind = bool (Update_outlook_2::*)(Edge_index) const;
+  std::size_t count_sampled(std::size_t size, Kind is_of_kind) const
   {
     using Parts = typename State::Parts;
-    const std::size_t edges = m_frame.number_of_edges(), stride = 1 + edges / size;
-    return Parts::sum((edges + stride - 1) / stride, Parts::size_for(64),
+    const std::size_t step = stride(size);
+    return Parts::sum(number_sampled(size), Parts::size_for(64),
                       [&](std::size_t i, std::size_t beyond) {
                         std::size_t number = 0;
                         for (; i < beyond; ++i)
-                          number += is(Edge_index(i * stride));
+                          number += (this->*is_of_kind)(Edge_index(i * step));
                         return number;
                       });
   }
+  bool is_inner(Edge_index e) const { return !m_frame.is_at_infinity(e); }
+  bool is_broken(Edge_index e) const { return !m_frame.is_delaunay(e); }
+  bool is_unproved(Edge_index e) const { return is_inner(e) && !m_frame.proves_delaunay(e); }
 
   // Whether the filter alone proves the edges of a sample, all but less than so many. It is asked
   // first, because every frame pays for it.
   bool is_nearly_proved(std::size_t size, std::size_t many) const
   {
-    return count_sampled(size, [this](Edge_index e) {
-             return !m_frame.is_at_infinity(e) && !m_frame.proves_delaunay(e);
-           }) < many;
+    return count_sampled(size, &Update_outlook_2::is_unproved) < many;
   }
 
   Sample sample(std::size_t size) const
   {
-    return {count_sampled(size, [](Edge_index) { return true; }),
-            count_sampled(size, [this](Edge_index e) { return !m_frame.is_at_infinity(e); }),
-            count_sampled(size, [this](Edge_index e) { return !m_frame.is_delaunay(e); })};
+    return {number_sampled(size), count_sampled(size, &Update_outlook_2::is_inner),
+            count_sampled(size, &Update_outlook_2::is_broken)};
   }
 
   const Dynamic_frame_2<State> m_frame;
