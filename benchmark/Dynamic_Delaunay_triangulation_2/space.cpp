@@ -34,13 +34,14 @@
 // that were rebuilds over that.
 //
 // `out of it` are nanoseconds a point of what comes out of a triangulation, beside the same by
-// CGAL's Delaunay triangulation: lists of all neighbors, volumes of all Voronoi cells (of CGAL's
-// from the circumcenters around each edge; it clips none to a box), and the nearest points of as
-// many random places along a curve, each found from the last. voro++ makes cells in a box from
-// points alone, and so it does here. Of `volumes in a box` it measures nothing but these; of `cells
-// in a box` all that Voronoi_cell_measures_3 always does; `from points` has the latter triangulate
-// first, which a program does once and not in each frame. The volumes of each cell have to agree,
-// and both sums with the box. `bytes` are those a point that the dynamic triangulation has
+// CGAL's Delaunay triangulation: lists of all neighbors, volumes of all Voronoi cells, alone and
+// with all other measures (of CGAL's both times the volumes, from the circumcenters around each
+// edge; it clips none to a box), and the nearest points of as many random places along a curve,
+// each found from the last. voro++ makes cells in a box from points alone, and so it does here. Of
+// `volumes in a box` it measures nothing but these; of `cells in a box` all that
+// Voronoi_cell_measures_3 always does; `from points` has the latter triangulate first, which a
+// program does once and not in each frame. The volumes of each cell have to agree, and both sums
+// with the box. `bytes` are those a point that the dynamic triangulation has
 // allocated, after its construction and after a frame of 0.01 spacings, and those of CGAL's.
 //
 // `construction` is the ratio of the constructor's time to that of CGAL's insertion of the range.

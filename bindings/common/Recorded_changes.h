@@ -5,8 +5,8 @@
 #define BINDINGS_RECORDED_CHANGES_H
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_changes_visitor_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Edge_changes_visitor_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_edge_changes_visitor_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Edge_changes_visitor_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Periodic_edge_changes_visitor_3.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_neighbor_lists_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_gradients_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_measures_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_volumes_3.h>
 
 #include <gtest/gtest.h>
 
@@ -35,6 +36,7 @@ using space_points::lattice;
 using Open = CGAL::Dynamic_Delaunay_triangulation_3<Kernel>;
 using Areas = std::map<Site, double, Site_order>;
 using Measures = CGAL::Voronoi_cell_measures_3;
+using Volumes = CGAL::Voronoi_cell_volumes_3;
 using Gradients = CGAL::Voronoi_cell_gradients_3;
 using Lists = CGAL::Delaunay_neighbor_lists_3;
 
@@ -90,11 +92,28 @@ void expect_consistent(const Dynamic& dt, const Measures& measures)
   }
 }
 
+// Volumes alone are less accurate where a cell is longer than wide.
+void expect_volumes(const Dynamic& dt, const Measures& measures)
+{
+  Volumes volumes;
+  volumes.compute(dt);
+  ASSERT_EQ(volumes.number_of_ids(), dt.number_of_ids());
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+    const double expected = measures.volumes()[id];
+    if (std::isinf(expected)) {
+      ASSERT_EQ(volumes.volumes()[id], infinity);
+    } else {
+      ASSERT_NEAR(volumes.volumes()[id], expected, 1e-9 * expected) << "id " << id;
+    }
+  }
+}
+
 Measures measures_of(const Dynamic& dt)
 {
   Measures measures;
   measures.compute(dt);
   expect_consistent(dt, measures);
+  expect_volumes(dt, measures);
   return measures;
 }
 
@@ -613,6 +632,10 @@ TEST_P(Threads_in_periodic_space, measure_and_list_the_same)
   measures.compute(dt);
   parallel_measures.compute(parallel);
   EXPECT_EQ(measures.volumes(), parallel_measures.volumes());
+  Volumes volumes, parallel_volumes;
+  volumes.compute(dt);
+  parallel_volumes.compute(parallel);
+  EXPECT_EQ(volumes.volumes(), parallel_volumes.volumes());
   EXPECT_EQ(measures.surface_areas(), parallel_measures.surface_areas());
   EXPECT_EQ(measures.neighbors(), parallel_measures.neighbors());
   EXPECT_EQ(measures.shifts(), parallel_measures.shifts());

@@ -10,9 +10,9 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_static_policy_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_population_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_edge_changes_visitor_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Delaunay_update_visitor_base_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Periodic_edge_changes_visitor_3.h>
 
 #include <gtest/gtest.h>
 

@@ -11,6 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_neighbor_lists_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_point_queries_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_measures_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_volumes_3.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -39,6 +40,7 @@ using Dynamic = CGAL::Dynamic_Delaunay_triangulation_3<Epick>;
 using Point = Dynamic::Point;
 using Points = std::vector<Point>;
 using Measures = CGAL::Voronoi_cell_measures_3;
+using Volumes = CGAL::Voronoi_cell_volumes_3;
 using Lists = CGAL::Delaunay_neighbor_lists_3;
 using space_operations::Program;
 using space_points::lattice;
@@ -145,6 +147,48 @@ TEST(Cells_in_space, of_removed_ids_measure_nothing)
   EXPECT_NEAR(measures.volumes()[22], 1 + 1.0 / 6, 1e-14); // a pyramid more
 }
 
+// The same volumes as measures have, to these digits, up to a largest one: cells near a hull that
+// is nearly flat may have corners as far away as points are close to a plane.
+template <class Triangulation>
+void expect_volumes(const Triangulation& dt, double accuracy, double largest = infinity)
+{
+  Measures measures;
+  measures.compute(dt);
+  Volumes volumes;
+  volumes.compute(dt);
+  ASSERT_EQ(volumes.number_of_ids(), dt.number_of_ids());
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+    const double expected = measures.volumes()[id];
+    if (std::isinf(expected)) {
+      ASSERT_EQ(volumes.volumes()[id], infinity);
+    } else if (expected < largest) {
+      ASSERT_NEAR(volumes.volumes()[id], expected, accuracy * expected) << id;
+    }
+  }
+}
+
+TEST(Volumes_in_space, are_those_that_measures_have)
+{
+  ASSERT_NO_FATAL_FAILURE(expect_volumes(Dynamic(), 0));
+  for (const std::size_t number : {1u, 3u, 4u, 5u, 20u, 3000u})
+    ASSERT_NO_FATAL_FAILURE(expect_volumes(Dynamic(random_points(number)), 1e-9));
+  Points points = lattice(5);
+  for (std::size_t i = 0; i < 100; ++i)
+    points.push_back(points[i % 7 == 0 ? 62 : i]); // some of them thrice and more
+  Dynamic dt(points);
+  ASSERT_NO_FATAL_FAILURE(expect_volumes(dt, 1e-14));
+  dt.remove({30, 31, 62, 107, 124});
+  ASSERT_NO_FATAL_FAILURE(expect_volumes(dt, 1e-14));
+  for (const double step : {1e-15, 1e-9, 1e-3, 0.1}) {
+    dt.update(shaken(points, step, 1));
+    ASSERT_NO_FATAL_FAILURE(expect_volumes(dt, 1e-9, 10));
+  }
+  for (Point& p : points)
+    p = Point(p.x(), p.y(), 0); // in a plane
+  dt.update(points);
+  ASSERT_NO_FATAL_FAILURE(expect_volumes(dt, 0));
+}
+
 // A few points of some kind, and how much worse than usual facets may be conditioned.
 struct Few
 {
@@ -227,6 +271,8 @@ std::vector<std::pair<std::size_t, Point>> others_of(const Dynamic& dt, std::siz
 void expect_cells(const Dynamic& dt, const Measures& measures,
                   const std::optional<CGAL::Bbox_3>& box, double extent, double condition)
 {
+  Volumes volumes;
+  volumes.compute(dt);
   for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
     if (!dt.has_id(id) || dt.representative(id) != id)
       continue;
@@ -261,11 +307,15 @@ void expect_cells(const Dynamic& dt, const Measures& measures,
       }
     if (!cell.is_bounded) {
       ASSERT_EQ(measures.volumes()[id], infinity);
+      ASSERT_EQ(volumes.volumes()[id], infinity);
       ASSERT_EQ(measures.surface_areas()[id], infinity);
       ASSERT_EQ(measures.centroids()[id].z, dt.point(id).z());
       continue;
     }
     ASSERT_NEAR(measures.volumes()[id] * points, cell.volume, unit * size);
+    if (!box) {
+      ASSERT_NEAR(volumes.volumes()[id] * points, cell.volume, unit * size);
+    }
     ASSERT_NEAR(measures.surface_areas()[id], cell.surface, of_area);
     if (cell.volume > 1e-3 * size * size * size) {
       const auto expect_near = [&](double x, double expected) {
@@ -446,8 +496,11 @@ TEST(Cells_in_space, may_be_huge_and_flat)
   const Dynamic dt(points);
   Measures measures;
   measures.compute(dt);
+  Volumes volumes;
+  volumes.compute(dt);
   for (std::size_t id = 0; id < points.size(); ++id) {
     EXPECT_GT(measures.volumes()[id], 1e10);
+    EXPECT_GE(volumes.volumes()[id], 0);
     EXPECT_TRUE(std::isfinite(measures.centroids()[id].z));
     for (const auto& [neighbor, area] : facets(measures, id))
       EXPECT_GE(area, 0);
@@ -469,6 +522,7 @@ TEST(Cells_of_exact_points, may_differ_by_less_than_doubles_tell)
   Measures measures;
   measures.compute(dt);
   EXPECT_EQ(neighbors(measures, 0).size(), 4u);
+  ASSERT_NO_FATAL_FAILURE(expect_volumes(dt, 1e-9));
   ASSERT_NO_FATAL_FAILURE(expect_sum(dt, CGAL::Bbox_3(0, 0, 0, 1, 1, 1)));
   ASSERT_NO_FATAL_FAILURE(expect_sum(dt, CGAL::Bbox_3(9, 8, 7, 10, 10, 8)));
   CGAL::Delaunay_point_queries_3<Exact> queries(dt);
@@ -631,6 +685,7 @@ TEST(Vertices_with_many_neighbors, are_measured_and_listed)
   measures.compute(dt);
   EXPECT_EQ(neighbors(measures, 0).size(), 2000u);
   EXPECT_NEAR(measures.volumes()[0], CGAL_PI / 6, 0.01); // nearly a ball of radius 1/2
+  ASSERT_NO_FATAL_FAILURE(expect_volumes(dt, 1e-12));
   EXPECT_NEAR(measures.centroids()[0].x, 0, 1e-3);
 }
 
@@ -650,6 +705,10 @@ TEST(Threads, measure_and_list_the_same)
   parallel_lists.compute(parallel);
   EXPECT_EQ(lists.offsets(), parallel_lists.offsets());
   EXPECT_EQ(lists.neighbors(), parallel_lists.neighbors());
+  Volumes volumes, parallel_volumes;
+  volumes.compute(dt);
+  parallel_volumes.compute(parallel);
+  EXPECT_EQ(volumes.volumes(), parallel_volumes.volumes());
   for (const bool is_in_box : {false, true}) {
     Measures measures, parallel_measures;
     const CGAL::Bbox_3 box(0, 0, 0, 1, 0.5, 1);

@@ -13,7 +13,7 @@
 #include "space_points.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Edge_changes_visitor_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Edge_changes_visitor_3.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

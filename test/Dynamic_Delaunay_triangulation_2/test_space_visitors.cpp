@@ -11,7 +11,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/convert_to_delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_population_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Edge_changes_visitor_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Edge_changes_visitor_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <gtest/gtest.h>

@@ -147,6 +147,11 @@ class _InPeriodicSpace(ChangedEdgeShifts, PointsInSpace, _core.PeriodicTriangula
         point. Cost: linear, in each call."""
         return self._volumes()
 
+    def voronoi_volumes(self) -> NDArray[np.float64]:
+        """float64 (rows,): volumes of the Voronoi cells, and nothing else: in a fourth of the time of
+        ``voronoi_cells()``. Cost: linear, in each call."""
+        return self._voronoi_volumes()
+
     def voronoi_cells(self) -> PeriodicVoronoiCells3D:
         """The Voronoi cells of all rows, which fill space. Cost: linear, in each call; some microseconds a point."""
         return PeriodicVoronoiCells3D(*self._voronoi_cells())

@@ -112,6 +112,11 @@ class _InSpace(ScipyNames, PointsInSpace, _core.Triangulation3D):
         point, and wrong by at most 1e-15 times the cube of the longest edge. Cost: linear, in each call."""
         return self._volumes()
 
+    def voronoi_volumes(self) -> NDArray[np.float64]:
+        """float64 (rows,): volumes of the whole Voronoi cells, and nothing else: in a fourth of the time of
+        ``voronoi_cells()``. ``inf`` on the convex hull, 0 for removed ids. Cost: linear, in each call."""
+        return self._voronoi_volumes()
+
     def voronoi_cells(self, box: Optional[ArrayLike] = None) -> VoronoiCells3D:
         """The Voronoi cells of all rows, whole or as far as they are in a box (xmin, ymin, zmin, xmax, ymax, zmax),
         whose volume they fill. Cost: linear, in each call; some microseconds a point. InputValueError if the box is

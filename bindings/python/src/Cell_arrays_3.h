@@ -9,6 +9,7 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_measures_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/Voronoi_cell_volumes_3.h>
 #include <CGAL/Iterator_range.h>
 
 #include <algorithm>
@@ -179,6 +180,21 @@ Array volume_array_3(const Dynamic& dt)
     volumes.push_back(volume_3(
         {cells.position(c, 0), cells.position(c, 1), cells.position(c, 2), cells.position(c, 3)}));
   });
+  return {std::move(volumes)};
+}
+
+// The volumes of Voronoi cells alone, also in periodic space.
+template <class Dynamic>
+Array voronoi_volume_array_3(const Dynamic& dt, const Row_numbers& rows)
+{
+  CGAL::Voronoi_cell_volumes_3 cells;
+  cells.compute(dt);
+  Doubles volumes;
+  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
+    if (dt.has_id(id) || !rows.are_dense()) {
+      volumes.push_back(cells.volumes()[id]);
+    }
+  }
   return {std::move(volumes)};
 }
 

@@ -10,9 +10,9 @@
 #include "bindings/python/src/Space_subject_3.h"
 #include "scenario_runner/Threads.h"
 
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_cell_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_edge_changes_visitor_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Delaunay_update_visitor_base_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Periodic_edge_changes_visitor_3.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
@@ -39,6 +39,7 @@ public:
 
   virtual Its_cell cell() const = 0;
   virtual Array volumes() const = 0;
+  virtual Array voronoi_volumes() const = 0;
   virtual std::vector<Array> voronoi_cells() const = 0;
 };
 
@@ -88,6 +89,7 @@ public:
     }
   }
   Array volumes() const override { return periodic_volume_array(certified()); }
+  Array voronoi_volumes() const override { return voronoi_volume_array_3(certified(), rows()); }
   std::vector<Array> voronoi_cells() const override
   {
     return periodic_voronoi_arrays(certified(), rows());

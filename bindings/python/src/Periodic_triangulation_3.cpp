@@ -96,6 +96,11 @@ void bind_periodic_triangulation_3(py::module_& module)
              return to_numpy(
                  t.read([](const Periodic_subject_3& subject) { return subject.volumes(); }));
            })
+      .def("_voronoi_volumes",
+           [](Guarded& t) {
+             return to_numpy(t.read(
+                 [](const Periodic_subject_3& subject) { return subject.voronoi_volumes(); }));
+           })
       .def("_voronoi_cells", [](Guarded& t) {
         return to_numpy(
             t.read([](const Periodic_subject_3& subject) { return subject.voronoi_cells(); }));

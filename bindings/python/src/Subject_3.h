@@ -11,7 +11,7 @@
 #include "scenario_runner/Threads.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Edge_changes_visitor_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Edge_changes_visitor_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 
 #include <memory>
@@ -32,6 +32,7 @@ public:
 
   virtual int dimension_of_points() const = 0;
   virtual Array volumes() const = 0;
+  virtual Array voronoi_volumes() const = 0;
   virtual std::vector<Array> voronoi_cells(const CGAL::Bbox_3* box) const = 0;
 };
 
@@ -91,6 +92,7 @@ public:
     }
   }
   Array volumes() const override { return volume_array_3(certified()); }
+  Array voronoi_volumes() const override { return voronoi_volume_array_3(certified(), rows()); }
   std::vector<Array> voronoi_cells(const CGAL::Bbox_3* box) const override
   {
     return voronoi_arrays_3(certified(), rows(), box);

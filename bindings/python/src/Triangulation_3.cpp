@@ -102,6 +102,11 @@ void bind_triangulation_3(py::module_& module)
            [](Triangulation_3& t) {
              return to_numpy(t.read([](const Subject_3& subject) { return subject.volumes(); }));
            })
+      .def("_voronoi_volumes",
+           [](Triangulation_3& t) {
+             return to_numpy(
+                 t.read([](const Subject_3& subject) { return subject.voronoi_volumes(); }));
+           })
       .def("_voronoi_cells", voronoi_cells)
       .def_property_readonly(
           "dimension",

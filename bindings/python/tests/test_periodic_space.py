@@ -208,6 +208,7 @@ def test_points_come_move_and_go():
     assert np.isnan(dt.points[3]).all() and dt.ids.tolist() == [i for i in range(35) if i not in (3, 31)]
     assert dt.voronoi_cells().volumes[3] == 0
     assert dt.voronoi_cells().volumes.sum() == pytest.approx(np.linalg.det(CELL))
+    assert dt.voronoi_volumes() == pytest.approx(dt.voronoi_cells().volumes)
     assert len(dt.neighbors_of(3)) == 0 and len(dt.neighbors_of(4)) > 3
     report = dt.move(7, dt.points[7] + 0.3)
     assert report.certified and dt.last_report.relocated == report.relocated

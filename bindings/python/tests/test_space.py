@@ -144,6 +144,20 @@ def test_measures_whole_voronoi_cells():
     assert len(DynamicDelaunay3D().voronoi_cells().volumes) == 0
 
 
+def test_measures_volumes_of_voronoi_cells_alone():
+    dt = DynamicDelaunay(np.concatenate([cloud(300), cloud(5)]))  # five of them coincide
+    dt.remove([7, 31])
+    volumes, expected = dt.voronoi_volumes(), dt.voronoi_cells().volumes
+    assert volumes.shape == (305,) and volumes[7] == 0
+    assert np.array_equal(np.isinf(volumes), np.isinf(expected))
+    bounded = np.isfinite(volumes)
+    assert volumes[bounded] == pytest.approx(expected[bounded], rel=1e-9)
+    population = Population3D(np.arange(300) * 7, cloud(300))
+    population.remove([14])
+    assert population.voronoi_volumes().shape == (299,)
+    assert len(DynamicDelaunay3D().voronoi_volumes()) == 0
+
+
 def test_refuses_boxes_that_are_none():
     dt = DynamicDelaunay(cloud(20))
     for box in [(0, 0, 0, 1, 1), (0, 0, 0, 1, 1, 0), (0, 0, 0, 1, 1, np.nan), (0, 0, 0, 1, 1, 1e101), "box", [[0] * 6]]:

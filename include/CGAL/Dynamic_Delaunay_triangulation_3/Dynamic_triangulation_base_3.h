@@ -13,7 +13,6 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/io/Checkpoint_file_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Always_dynamic_policy_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/policies/Dynamic_triangulation_options_2.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Dynamic_Delaunay_triangulation_errors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_reader_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/io/Checkpoint_writer_3.h>
@@ -23,6 +22,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/policies/Dynamic_triangulation_settings_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Update_report_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/views/Dynamic_frame_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Delaunay_update_visitor_base_3.h>
 #ifdef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_COMPILED
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #endif

@@ -9,10 +9,10 @@
 #include <CGAL/Bbox_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Floating_point.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Boxed_cell_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Cell_measures_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/cells/Boxed_cell_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/cells/Cell_measures_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/cells/Measured_cells_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/certified_state_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Measured_cells_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Rows_by_id_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_sites_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_shift_3.h>

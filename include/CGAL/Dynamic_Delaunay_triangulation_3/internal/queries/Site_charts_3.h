@@ -46,6 +46,7 @@ struct Site_charts_3<Tetrahedra_arrays_3>
     return arrays.vertices(c)[place];
   }
   static Site in_own_chart(Seen_cell, Site s) { return s; }
+  static Seen_cell in_own_chart(Cell_index c) { return c; }
   // A site as seen from another one, at whose vertex it is not shifted.
   static Site seen_from(Site, Site s) { return s; }
 
@@ -101,6 +102,7 @@ struct Site_charts_3<Torus_cells_3>
     return arrays.site(Arrays::corner(c.cell, place)) + c.chart;
   }
   static Site in_own_chart(const Seen_cell& c, const Site& s) { return s - c.chart; }
+  static Seen_cell in_own_chart(Cell_index c) { return {c, {}}; }
   static Site seen_from(const Site& from, const Site& s) { return s - from.shift; }
 
   static Seen_cell first_cell(const Arrays& arrays, const Site& s)

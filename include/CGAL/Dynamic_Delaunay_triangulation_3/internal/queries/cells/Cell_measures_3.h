@@ -1,16 +1,16 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELL_MEASURES_3_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELL_MEASURES_3_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELLS_CELL_MEASURES_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELLS_CELL_MEASURES_3_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/cells/Voronoi_vertices_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_sites_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Site_charts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Vertex_star_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Voronoi_vertices_3.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -128,4 +128,4 @@ private:
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELL_MEASURES_3_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELLS_CELL_MEASURES_3_H

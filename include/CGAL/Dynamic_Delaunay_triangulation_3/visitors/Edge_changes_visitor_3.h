@@ -1,13 +1,13 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_EDGE_CHANGES_VISITOR_3_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_EDGE_CHANGES_VISITOR_3_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_VISITORS_EDGE_CHANGES_VISITOR_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_VISITORS_EDGE_CHANGES_VISITOR_3_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Edge_balance.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Delaunay_update_visitor_base_3.h>
 
 #include <array>
 #include <cstddef>
@@ -89,4 +89,4 @@ private:
 
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_EDGE_CHANGES_VISITOR_3_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_VISITORS_EDGE_CHANGES_VISITOR_3_H

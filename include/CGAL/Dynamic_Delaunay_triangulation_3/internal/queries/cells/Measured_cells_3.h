@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_MEASURED_CELLS_3_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_MEASURED_CELLS_3_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELLS_MEASURED_CELLS_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELLS_MEASURED_CELLS_3_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -10,14 +10,14 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/passes/Points_2.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Points_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Boxed_cell_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Cell_measures_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/cells/Boxed_cell_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/cells/Cell_measures_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/cells/Voronoi_vertices_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Flat_neighbors_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Rows_by_id_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_images_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Scaled_sites_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Site_charts_3.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/queries/Voronoi_vertices_3.h>
 #include <CGAL/number_type_basic.h>
 
 #include <algorithm>
@@ -154,4 +154,4 @@ private:
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_MEASURED_CELLS_3_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELLS_MEASURED_CELLS_3_H

@@ -1,8 +1,8 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_VORONOI_VERTICES_3_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_VORONOI_VERTICES_3_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELLS_VORONOI_VERTICES_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELLS_VORONOI_VERTICES_3_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
@@ -54,11 +54,14 @@ public:
       const double nan = std::numeric_limits<double>::quiet_NaN();
       m_centers[Cell_index(c)] = Charts::is_infinite(arrays(), Cell_index(c))
                                      ? Position_3{nan, nan, nan}
-                                     : center(Charts::sites(arrays(), Cell_index(c)));
+                                     : center_of(Charts::sites(arrays(), Cell_index(c)));
     });
   }
 
   const Sites& sites() const { return m_sites; }
+
+  // The center of a cell relative to its first site; NaN if it is infinite.
+  const Position_3& center(Cell_index c) const { return m_centers[c]; }
 
   // The corners of a facet, which are the centers of the cells around an edge from v, relative to
   // v; infinite cells have NaN.
@@ -102,7 +105,7 @@ private:
     return i + 1 < ring.size() ? i + 1 : 0;
   }
 
-  Position_3 center(const Few<Site, 4>& v) const
+  Position_3 center_of(const Few<Site, 4>& v) const
   {
     const Position_3 b = m_sites.vector(v[0], v[1]), c = m_sites.vector(v[0], v[2]),
                      d = m_sites.vector(v[0], v[3]), cd = cross(c, d);
@@ -192,4 +195,4 @@ private:
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_VORONOI_VERTICES_3_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_QUERIES_CELLS_VORONOI_VERTICES_3_H

@@ -1,14 +1,14 @@
 // Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_PERIODIC_EDGE_CHANGES_VISITOR_3_H
-#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_PERIODIC_EDGE_CHANGES_VISITOR_3_H
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_VISITORS_PERIODIC_EDGE_CHANGES_VISITOR_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_VISITORS_PERIODIC_EDGE_CHANGES_VISITOR_3_H
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
 #include <CGAL/Dynamic_Delaunay_triangulation_2/visitors/Periodic_edge_changes_base.h>
-#include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_update_visitor_base_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Periodic_shift_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Delaunay_update_visitor_base_3.h>
 
 namespace CGAL {
 
@@ -32,4 +32,4 @@ class Periodic_edge_changes_visitor_3
 
 } // namespace CGAL
 
-#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_PERIODIC_EDGE_CHANGES_VISITOR_3_H
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_VISITORS_PERIODIC_EDGE_CHANGES_VISITOR_3_H
