@@ -79,7 +79,7 @@ than others, however many cells away from the origin the points were given.
 
 \cgalExample{Dynamic_Delaunay_triangulation_2/space_volumes.cpp}
 
-\sa `Delaunay_neighbor_lists_3`
+\sa `Voronoi_cell_volumes_3`, `Delaunay_neighbor_lists_3`
 */
 class Voronoi_cell_measures_3
 {
