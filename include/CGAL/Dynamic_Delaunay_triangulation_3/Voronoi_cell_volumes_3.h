@@ -56,7 +56,7 @@ public:
   /// computes all volumes. Threads share the work if the triangulation has the `Parallel_tag`; the
   /// result does not depend on their number. If memory runs out, there are no volumes.
   ///
-  /// Cost: linear, some half a microsecond a point. Rational numbers take about ten microseconds
+  /// Cost: linear, about one microsecond a point. Rational numbers take about ten microseconds
   /// for each very flat Delaunay cell.
   ///
   /// \tparam Dynamic a `Dynamic_Delaunay_triangulation_3` or a
