@@ -67,6 +67,24 @@ using Points = std::vector<Point>;
 using space_points::random_points;
 using space_points::shaken;
 
+// Where walks around vertices begin.
+template <class Triangulation>
+std::vector<std::size_t> corners_of(const Triangulation& dt)
+{
+  const auto& arrays =
+      CGAL::Dynamic_Delaunay_triangulations_2::internal::Triangulation_access::state(dt).arrays;
+  std::vector<std::size_t> corners;
+  for (CGAL::Dynamic_Delaunay_triangulations_3::Vertex_index v(0); v < arrays.number_of_vertices();
+       ++v) {
+    const auto k = arrays.corner_of(v);
+    corners.push_back(k);
+    if (v > 0 || k < 4 * arrays.number_of_cells()) { // a torus has no infinite vertex
+      EXPECT_EQ(arrays.vertex(k), v);
+    }
+  }
+  return corners;
+}
+
 template <class Forward, class Other>
 void expect_same(Forward& forward, Other& backward, const Points& points)
 {
@@ -76,6 +94,7 @@ void expect_same(Forward& forward, Other& backward, const Points& points)
   EXPECT_EQ(report.relocated, other.relocated);
   EXPECT_EQ(report.rebuild_reason, other.rebuild_reason);
   EXPECT_EQ(checkpoint_of(forward), checkpoint_of(backward));
+  EXPECT_EQ(corners_of(forward), corners_of(backward));
 }
 
 class Parts_of_space : public testing::TestWithParam<double> // steps, in spacings
