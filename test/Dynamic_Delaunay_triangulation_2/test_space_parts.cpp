@@ -265,17 +265,23 @@ public:
   Arrays& arrays() { return m_arrays; }
 
   // Replaces two cells at a facet by three, as a step. Returns one of them.
-  Cell_index flip()
+  Cell_index flip(std::size_t part = Arrays::whole)
   {
     for (;;) {
       const Corner_index k(m_random() % (4 * m_arrays.number_of_cells()));
       if (m_arrays.is_free(Arrays::cell_of(k)) ||
           are_neighbors(m_arrays.vertex(k), m_arrays.apex(k)))
         continue;
-      m_arrays.begin_step();
-      return m_arrays.flip_2_3(k).cells[0];
+      m_arrays.begin_step(part);
+      m_touched = {m_arrays.vertex(k), m_arrays.apex(k)};
+      for (const Vertex_index v : m_arrays.vertices(Arrays::cell_of(k)))
+        m_touched.insert(v);
+      return m_arrays.flip_2_3(k, part).cells[0];
     }
   }
+
+  // Whether the last flip has changed cells of a vertex.
+  bool has_touched(Vertex_index v) const { return m_touched.count(v) > 0; }
 
   // Of those that are not free, in the order of their numbers.
   Cells cells() const
@@ -341,6 +347,7 @@ private:
 
   std::mt19937 m_random{1};
   Arrays m_arrays;
+  std::set<Vertex_index> m_touched;
 };
 
 // Flips that share cells go together, and what remains can be undone.
@@ -368,6 +375,30 @@ TEST(Steps_of_space, are_undone_around_some_cells)
   }
   EXPECT_GT(undone, 60u); // of 300 flips
   EXPECT_GT(kept, 60u);
+}
+
+// Other vertices of cells that get other neighbors may belong to other parts.
+TEST(Steps_of_space, of_a_part_leave_other_vertices_alone)
+{
+  Flipped_cells flipped(100);
+  auto& arrays = flipped.arrays();
+  const Flipped_cells::Cells before = flipped.cells();
+  for (int turn = 0; turn < 50; ++turn) {
+    std::vector<Flipped_cells::Corner_index> corners;
+    for (Flipped_cells::Vertex_index v(0); v < arrays.number_of_vertices(); ++v)
+      corners.push_back(arrays.corner_of(v));
+    arrays.begin_parts(1, [](std::size_t) { return 1; });
+    arrays.begin(0);
+    flipped.flip(0);
+    arrays.undo(0);
+    for (Flipped_cells::Vertex_index v(0); v < arrays.number_of_vertices(); ++v)
+      if (!flipped.has_touched(v)) {
+        ASSERT_EQ(arrays.corner_of(v), corners[v]);
+      }
+    arrays.end_parts();
+    ASSERT_EQ(flipped.cells(), before);
+    ASSERT_NO_FATAL_FAILURE(flipped.expect_fit());
+  }
 }
 
 } // namespace
