@@ -149,19 +149,21 @@ TEST(Voronoi_cells_in_slabs, of_one_layer_are_prisms_without_end)
 
 // Found by `./dev bench space_robustness --family periodic_slab_few --trial 6493717390823460196`:
 // flips that gave cells other images of the same vertices were taken back, and a vertex kept a
-// corner of a cell that was not there any more.
+// corner of a cell that was not there any more. Frames of that program are mended in other ways
+// since; those of the second one come to such flips.
 TEST(Random_programs_in_slabs, take_flips_back_that_exchange_images_of_a_vertex)
 {
-  constexpr std::uint64_t seed = 6493717390823460196u;
-  periodic_space_operations::Setting setting;
-  setting.cell = Cell({1, 0.1, 0.2}, {0.5, -0.9, 0.1});
-  periodic_space_operations::Program<Dynamic> program(std::mt19937_64(seed), setting);
-  program.insert(seed % 6);
-  for (int i = 0; i < 12; ++i) {
-    if (program.points().empty())
-      program.insert(1);
-    program.do_something();
-    program.expect_as_fresh();
+  for (const std::uint64_t seed : {6493717390823460196u, 1116645116867809392u}) {
+    periodic_space_operations::Setting setting;
+    setting.cell = Cell({1, 0.1, 0.2}, {0.5, -0.9, 0.1});
+    periodic_space_operations::Program<Dynamic> program(std::mt19937_64(seed), setting);
+    program.insert(seed % 6);
+    for (int i = 0; i < 70; ++i) {
+      if (program.points().empty())
+        program.insert(1);
+      program.do_something();
+      program.expect_as_fresh();
+    }
   }
 }
 
