@@ -387,7 +387,7 @@ TEST(Steps_of_space, of_a_part_leave_other_vertices_alone)
     std::vector<Flipped_cells::Corner_index> corners;
     for (Flipped_cells::Vertex_index v(0); v < arrays.number_of_vertices(); ++v)
       corners.push_back(arrays.corner_of(v));
-    arrays.begin_parts(1, [](std::size_t) { return 1; });
+    arrays.begin_parts(1, [](std::size_t) { return std::size_t(1); });
     arrays.begin(0);
     flipped.flip(0);
     arrays.undo(0);
