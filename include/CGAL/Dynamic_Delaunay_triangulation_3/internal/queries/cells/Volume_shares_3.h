@@ -24,14 +24,15 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // pyramid, whose height is |e|/2, has the volume
 //   1/12 sum_i e * ((c_i - m) x (c_i+1 - m)).
 // Each term belongs to the Delaunay facet between the cells with the centers c_i and c_i+1, so
-// every Delaunay facet adds a number for each of its edges, to the cells of both ends. The side
-// from c_i to c_i+1 is perpendicular to the Delaunay facet xyz. If N is its normal (y - x) x (z -
-// x), which points to the second center, the term of the edge from x to y is, with t = (c_i+1 -
-// c_i) * N / (24 N*N),
+// every Delaunay facet adds a number for each of its edges, to the cells of both ends.
+//
+// The side from c_i to c_i+1 is perpendicular to the Delaunay facet xyz. If the normal of that,
+//   N = (y - x) x (z - x),
+// points to c_i+1, the term of the edge from x to y is, with t = (c_i+1 - c_i) * N / (24 N*N),
 //   t |y - x|^2 (x - z) * (y - z):
 // the length of the side, times a twelfth of the edge, times the distance of the edge from the
 // center of the circle of xyz. Terms are of either sign. They are off by some u times |e| and the
-// squared distances of the centers, as long as the angle of N is not flat: its sine is 2^-10 at
+// squared distances of the centers, as long as the angle at x is not flat: its sine is 2^-10 at
 // least, else the first formula is used.
 template <class State>
 class Volume_shares_3
@@ -86,7 +87,7 @@ private:
       const Position_3& other = m_centers.center(Charts::cell_of(beyond));
       if (Voronoi_vertices_3<State>::is_infinite(other))
         continue;
-      // an even permutation of the places, so that the normal points away from i
+      // in an order in which the normal points away from the vertex at place i
       const int x = (i + 1) % 4, y = i % 2 == 0 ? (i + 2) % 4 : (i + 3) % 4, z = 6 - i - x - y;
       const auto edge = [&](int from, int to) {
         const Position_3 way = vertices[to] - vertices[from];
