@@ -5,6 +5,7 @@
 // volumes change, neighbor lists.
 
 #include "periodic_space_tested.h"
+#include "voronoi_volumes.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_neighbor_lists_3.h>
@@ -92,28 +93,12 @@ void expect_consistent(const Dynamic& dt, const Measures& measures)
   }
 }
 
-// Volumes alone are less accurate where a cell is longer than wide.
-void expect_volumes(const Dynamic& dt, const Measures& measures)
-{
-  Volumes volumes;
-  volumes.compute(dt);
-  ASSERT_EQ(volumes.number_of_ids(), dt.number_of_ids());
-  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
-    const double expected = measures.volumes()[id];
-    if (std::isinf(expected)) {
-      ASSERT_EQ(volumes.volumes()[id], infinity);
-    } else {
-      ASSERT_NEAR(volumes.volumes()[id], expected, 1e-9 * expected) << "id " << id;
-    }
-  }
-}
-
 Measures measures_of(const Dynamic& dt)
 {
   Measures measures;
   measures.compute(dt);
   expect_consistent(dt, measures);
-  expect_volumes(dt, measures);
+  voronoi_volumes::expect_measured(dt, measures, 1e-9);
   return measures;
 }
 

@@ -6,6 +6,7 @@
 #include "exact_cell.h"
 #include "space_operations.h"
 #include "space_points.h"
+#include "voronoi_volumes.h"
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/Delaunay_neighbor_lists_3.h>
@@ -147,24 +148,12 @@ TEST(Cells_in_space, of_removed_ids_measure_nothing)
   EXPECT_NEAR(measures.volumes()[22], 1 + 1.0 / 6, 1e-14); // a pyramid more
 }
 
-// The same volumes as measures have, to these digits, up to a largest one: cells near a hull that
-// is nearly flat may have corners as far away as points are close to a plane.
 template <class Triangulation>
 void expect_volumes(const Triangulation& dt, double accuracy, double largest = infinity)
 {
   Measures measures;
   measures.compute(dt);
-  Volumes volumes;
-  volumes.compute(dt);
-  ASSERT_EQ(volumes.number_of_ids(), dt.number_of_ids());
-  for (std::size_t id = 0; id < dt.number_of_ids(); ++id) {
-    const double expected = measures.volumes()[id];
-    if (std::isinf(expected)) {
-      ASSERT_EQ(volumes.volumes()[id], infinity);
-    } else if (expected < largest) {
-      ASSERT_NEAR(volumes.volumes()[id], expected, accuracy * expected) << id;
-    }
-  }
+  voronoi_volumes::expect_measured(dt, measures, accuracy, largest);
 }
 
 TEST(Volumes_in_space, are_those_that_measures_have)
