@@ -253,12 +253,13 @@ public:
   {
     m_arrays.reset(vertices);
     begin();
+    std::vector<Arrays::Star_cell> star;
     for (Vertex_index v(5); v < vertices; ++v) {
       const Cell_index c(m_random() % m_arrays.number_of_cells());
       std::vector<Corner_index> border;
       for (int i = 0; i < 4; ++i)
         border.push_back(Arrays::corner(c, i));
-      m_arrays.replace_by_star({c}, border, v);
+      m_arrays.replace_by_star({c}, border, v, star);
     }
   }
 

@@ -113,6 +113,12 @@ public:
     return sum(size, usual_size, count);
   }
 
+  // How many threads may share work.
+  static std::size_t most_workers()
+  {
+    return Runner::most_workers();
+  }
+
   // True if several threads would share this number of parts.
   static bool are_shared(std::size_t parts)
   {

@@ -28,7 +28,7 @@ public:
   explicit Vertex_removal_3(State& state)
     : m_state(state)
     , m_signs(state)
-    , m_filling_insertion(state, m_filling, m_filling_marks)
+    , m_filling_insertion(state, m_filling)
   {
   }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Index_of.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3 {
@@ -63,6 +64,10 @@ struct Few
 };
 
 using Vertices_3 = Few<Vertex_index, 4>;
+
+// The places of a cell but one, in an order which is an even permutation after that place: so seen
+// from there, they turn in the same direction.
+inline constexpr std::uint8_t other_places[4][3] = {{1, 2, 3}, {0, 3, 2}, {3, 0, 1}, {2, 1, 0}};
 
 // Whether the infinite vertex is among them, without branches, which would be mispredicted.
 inline bool has_infinite(const Vertices_3& v)

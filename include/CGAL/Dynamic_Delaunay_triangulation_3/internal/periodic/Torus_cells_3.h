@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -211,6 +212,36 @@ public:
     normalize(first, part);
     normalize(second, part);
     return {{first, second, null_index}, 2, new_corners(outer)};
+  }
+
+  // Takes cells in the order of their smallest finite vertices: a pass over them then reads
+  // positions in order.
+  void sort_cells()
+  {
+    const auto key = [this](Cell_index c) {
+      Index smallest = null_index;
+      for (const Vertex_index v : vertices(c))
+        if (v != infinite_index)
+          smallest = (std::min)(smallest, Index(v));
+      return std::size_t(smallest);
+    };
+    std::vector<Index> next(m_corners.size() + 1, 0);
+    for (Cell_index c(0); c < number_of_cells(); ++c)
+      ++next[key(c) + 1];
+    std::partial_sum(next.begin(), next.end(), next.begin());
+    Column<Cell_index, Cell_index> number(m_cells.size(), Cell_index(0));
+    for (Cell_index c(0); c < number_of_cells(); ++c)
+      number[c] = Cell_index(next[key(c)]++);
+    Column<Cell_index, Cell> cells(m_cells.size());
+    for (Cell_index c(0); c < number_of_cells(); ++c) {
+      Cell& cell = cells[number[c]] = m_cells[c];
+      for (Corner_index& k : cell.mirrors)
+        k = corner(number[cell_of(k)], place_of(k));
+    }
+    m_cells.swap(cells);
+    for (Corner_index& k : m_corners)
+      if (k != null_index)
+        k = corner(number[cell_of(k)], place_of(k));
   }
 
   // A facet between cells that are replaced and others, or images of themselves: the corner

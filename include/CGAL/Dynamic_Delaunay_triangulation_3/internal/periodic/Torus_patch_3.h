@@ -61,7 +61,7 @@ public:
   explicit Torus_patch_3(const State& state)
     : m_state(state)
     , m_images(Torus_predicates_3(state.torus, state.squared_error))
-    , m_insertion(m_images, m_arrays, m_marks)
+    , m_insertion(m_images, m_arrays)
   {
   }
   Torus_patch_3(const Torus_patch_3&) = delete;

@@ -9,7 +9,9 @@
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Vertex_insertion_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/proof/Certificate_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Parallel_insertion_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Vertex_order_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Canonical_cells_3.h>
 #include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <algorithm>
@@ -28,12 +30,14 @@ template <class State>
 class Static_triangulator_3
 {
   using Arrays = Tetrahedra_arrays_3;
+  using Parts = typename State::Exact_parts;
   using Point = typename State::Point;
 
 public:
   explicit Static_triangulator_3(State& state)
     : m_state(state)
     , m_insertion(state)
+    , m_parts(state, m_insertion)
     , m_signs(state)
   {
   }
@@ -48,18 +52,20 @@ public:
     m_state.flat_edges.clear();
     m_state.flat_triangles.clear();
     m_state.has_origin = false;
-    const std::vector<Vertex_index> order = order_by_rounds(vertices);
-    std::vector<Vertex_index> first = order;
+    std::vector<Vertex_index> first = order_by_rounds(vertices);
     m_state.spans_space = begins_with_a_cell(m_state, first);
     if (!m_state.spans_space)
       return triangulate_plane(covered);
+    first.resize(4);
     m_insertion.begin({first[0], first[1], first[2], first[3]});
-    for (const Vertex_index v : order)
-      if (std::find(first.begin(), first.begin() + 4, v) == first.begin() + 4)
-        if (const Vertex_index other = m_insertion.insert(v); other != null_index)
-          covered.emplace_back(v, other);
-    m_state.arrays.close_gaps();
-    m_state.arrays.sort_cells();
+    for (std::vector<Vertex_index>& round : rounds_of(vertices)) {
+      const auto is_in = [&](Vertex_index v) {
+        return std::find(first.begin(), first.end(), v) != first.end();
+      };
+      round.erase(std::remove_if(round.begin(), round.end(), is_in), round.end());
+      m_parts.insert(std::move(round), covered);
+    }
+    Canonical_cells_3<Parts>(m_state.arrays).order(represent_by_first(covered));
     choose_origin();
   }
 
@@ -92,6 +98,27 @@ public:
   }
 
 private:
+  // Of vertices that coincide, lets the one with the smallest number have the cells. Returns the
+  // numbers that vertices with cells get, or nothing if none coincide.
+  typename Canonical_cells_3<Parts>::Numbers
+  represent_by_first(std::vector<std::pair<Vertex_index, Vertex_index>>& covered) const
+  {
+    typename Canonical_cells_3<Parts>::Numbers numbers;
+    if (covered.empty())
+      return numbers;
+    for (Vertex_index v(0); v <= m_state.number_of_vertices(); ++v)
+      numbers.push_back(v);
+    for (const auto& [v, other] : covered)
+      numbers[other] = (std::min)(numbers[other], v);
+    for (auto& [v, other] : covered) {
+      const Vertex_index smallest = numbers[other];
+      v = v == smallest ? other : v;
+      other = smallest;
+    }
+    std::sort(covered.begin(), covered.end());
+    return numbers;
+  }
+
   // The mean of the vertices, and their extent along each axis.
   std::pair<Position_3, Position_3> middle_and_extent() const
   {
@@ -160,7 +187,8 @@ private:
   }
 
   State& m_state;
-  Vertex_insertion_3<State> m_insertion;
+  typename Parallel_insertion_3<State>::Insertion m_insertion;
+  Parallel_insertion_3<State> m_parts;
   Cell_signs_3<State> m_signs;
 };
 

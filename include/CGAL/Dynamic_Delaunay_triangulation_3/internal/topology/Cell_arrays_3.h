@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -161,36 +160,6 @@ public:
       }
   }
 
-  // Takes cells in the order of their smallest finite vertices: a pass over them then reads
-  // positions in order.
-  void sort_cells()
-  {
-    const auto key = [this](Cell_index c) {
-      Index smallest = null_index;
-      for (const Vertex_index v : vertices(c))
-        if (v != infinite_index)
-          smallest = (std::min)(smallest, Index(v));
-      return std::size_t(smallest);
-    };
-    std::vector<Index> next(m_corners.size() + 1, 0);
-    for (Cell_index c(0); c < number_of_cells(); ++c)
-      ++next[key(c) + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    Column<Cell_index, Cell_index> number(m_cells.size(), Cell_index(0));
-    for (Cell_index c(0); c < number_of_cells(); ++c)
-      number[c] = Cell_index(next[key(c)]++);
-    Column<Cell_index, Cell> cells(m_cells.size());
-    for (Cell_index c(0); c < number_of_cells(); ++c) {
-      Cell& cell = cells[number[c]] = m_cells[c];
-      for (Corner_index& k : cell.mirrors)
-        k = corner(number[cell_of(k)], place_of(k));
-    }
-    m_cells.swap(cells);
-    for (Corner_index& k : m_corners)
-      if (k != null_index)
-        k = corner(number[cell_of(k)], place_of(k));
-  }
-
   // TRANSACTIONS ----------------------------------------------------------------------------------
 
   // Between begin() and commit() or undo(), what is overwritten is recorded.
@@ -297,11 +266,13 @@ public:
     m_logs.clear();
     m_history.join_parts();
   }
-  // Whether a cell can be made in a part, or in all.
-  bool can_make_cell(std::size_t part = whole) const
+  // Whether so many cells can be made in a part, or in all.
+  bool can_make_cells(std::size_t number, std::size_t part = whole) const
   {
-    return !log(part).free.empty() || (part == whole && m_cells.size() < max_cells);
+    const std::size_t new_ones = part == whole ? max_cells - m_cells.size() : 0;
+    return number <= log(part).free.size() + new_ones;
   }
+  bool can_make_cell(std::size_t part = whole) const { return can_make_cells(1, part); }
 
   // HISTORY ---------------------------------------------------------------------------------------
 

@@ -8,6 +8,8 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 
+#include <boost/config.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -29,22 +31,35 @@ public:
   void clear(Index) // of all cells, as marks of these have it
   {
     m_size = 0;
-    if (++m_age == 0) { // all numbers are used up
+    m_age += kinds;
+    if (m_age == 0) { // all numbers are used up
       m_entries.assign(m_entries.size(), Entry());
-      m_age = 1;
+      m_age = kinds;
     }
   }
-  bool has(Cell_index c) const { return m_entries[find(c)].age == m_age; }
+  bool has(Cell_index c) const { return is_present(m_entries[find(c)]); }
   // Whether the cell was not in it before.
   bool insert(Cell_index c)
   {
     const std::size_t i = find(c);
-    if (m_entries[i].age == m_age)
+    if (is_present(m_entries[i]))
       return false;
-    m_entries[i] = {c, m_age};
-    if (2 * ++m_size > m_entries.size())
-      grow();
+    put(i, c, 0);
     return true;
+  }
+  // Of a cell that is not in it, and its kind, from 0 to 3.
+  void insert(Cell_index c, Index kind) { put(find(c), c, kind); }
+
+  // The kind of a cell, which is new_kind() if it was not in it before.
+  template <class Kind>
+  Index kind_of(Cell_index c, const Kind& new_kind)
+  {
+    const std::size_t i = find(c);
+    if (is_present(m_entries[i]))
+      return m_entries[i].age - m_age;
+    const Index kind = new_kind();
+    put(i, c, kind);
+    return kind;
   }
 
 private:
@@ -54,34 +69,45 @@ private:
     std::uint32_t age = 0;
   };
 
+  bool is_present(const Entry& entry) const { return entry.age >= m_age; }
+
+  void put(std::size_t i, Cell_index c, Index kind)
+  {
+    m_entries[i] = {c, m_age + kind};
+    ++m_size;
+    if (2 * m_size > m_entries.size())
+      grow();
+  }
+
   std::size_t place_of(Cell_index c) const { return std::uint32_t(c * 0x9e3779b1u) >> m_shift; }
 
   // The entry of a cell, or that which it would get.
   std::size_t find(Cell_index c) const
   {
     std::size_t i = place_of(c);
-    while (m_entries[i].age == m_age && m_entries[i].cell != c)
+    while (is_present(m_entries[i]) && m_entries[i].cell != c)
       i = (i + 1) & (m_entries.size() - 1);
     return i;
   }
 
-  void grow()
+  BOOST_NOINLINE void grow()
   {
     std::vector<Entry> entries(2 * m_entries.size());
     m_entries.swap(entries);
     --m_shift;
     m_size = 0;
     for (const Entry& entry : entries)
-      if (entry.age == m_age)
-        insert(entry.cell);
+      if (is_present(entry))
+        insert(entry.cell, entry.age - m_age);
   }
 
+  static constexpr Index kinds = 4;
   static constexpr unsigned first_bits = 8;
 
   std::vector<Entry> m_entries; // as many as a power of two; those of this age count
   unsigned m_shift = 32 - first_bits;
   std::size_t m_size = 0;
-  std::uint32_t m_age = 1;
+  std::uint32_t m_age = kinds; // a multiple; that of an entry is larger by its kind
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -167,37 +167,6 @@ public:
     return flipped;
   }
 
-  // Replaces cells, which form a ball without vertices inside, by cells over its border that have
-  // the vertex v in common. Each facet of the border is given by the corner of the cell within that
-  // is opposite to it. Returns a new cell.
-  Cell_index replace_by_star(const std::vector<Cell_index>& ball,
-                             const std::vector<Corner_index>& border, Vertex_index v)
-  {
-    m_star.clear();
-    for (std::size_t n = 0; n < border.size(); ++n) {
-      const int tip = place_of(border[n]);
-      Star_cell made{n < ball.size() ? ball[n] : make_cell(), tip, m_cells[cell_of(border[n])]};
-      made.cell.vertices[tip] = v;
-      m_star.push_back(made);
-    }
-    for (std::size_t n = border.size(); n < ball.size(); ++n)
-      drop_cell(ball[n]);
-    if (border.size() <= most_of_table)
-      connect_star_by_table();
-    else
-      connect_star_by_sorting();
-    for (const Star_cell& made : m_star) {
-      record(made.number);
-      note(made.number);
-      m_cells[made.number] = made.cell;
-      for (int i = 0; i < 4; ++i)
-        m_corners[made.cell.vertices[i]] = corner(made.number, i);
-      connect(corner(made.number, made.tip), made.cell.mirrors[made.tip]);
-    }
-    return m_star.back().number;
-  }
-
-private:
   // A cell of a star before it is written. Its mirror at the tip lies outside of the star.
   struct Star_cell
   {
@@ -206,69 +175,119 @@ private:
     Cell cell;
   };
 
+  // Replaces cells, which form a ball without vertices inside, by cells over its border that have
+  // the vertex v in common. Each facet of the border is given by the corner of the cell within that
+  // is opposite to it. Returns a new cell. `star` is memory that is used anew each time; parts have
+  // one each.
+  Cell_index replace_by_star(const std::vector<Cell_index>& ball,
+                             const std::vector<Corner_index>& border, Vertex_index v,
+                             std::vector<Star_cell>& star, std::size_t part = whole)
+  {
+    star.clear();
+    bool is_table_ours = border.size() <= most_of_table;
+    for (std::size_t n = 0; n < border.size(); ++n) {
+      const int tip = place_of(border[n]);
+      Star_cell made{n < ball.size() ? ball[n] : make_cell(part), tip, m_cells[cell_of(border[n])]};
+      made.cell.vertices[tip] = v;
+      is_table_ours = is_table_ours && (part == whole || !has_infinite(made.cell.vertices));
+      star.push_back(made);
+    }
+    for (std::size_t n = border.size(); n < ball.size(); ++n)
+      drop_cell(ball[n], part);
+    if (is_table_ours)
+      connect_star_by_table(star);
+    else
+      connect_star_by_sorting(star);
+    for (const Star_cell& made : star) {
+      record(made.number, part);
+      note(made.number, part);
+      m_cells[made.number] = made.cell;
+      for (int i = 0; i < 4; ++i)
+        note_corner(corner(made.number, i), part);
+      connect(corner(made.number, made.tip), made.cell.mirrors[made.tip], part);
+    }
+    return star.back().number;
+  }
+
+  // Replaces all cells by the same ones with other numbers, and with their vertices in another
+  // order; of each vertex a corner is given.
+  void replace_all(Column<Cell_index, Cell>& cells, Column<Vertex_index, Corner_index>& corners)
+  {
+    clear_cells();
+    m_cells.swap(cells);
+    m_corners.swap(corners);
+  }
+
+private:
   // Connects the cells of a star, beside the border. Each edge of the border belongs to two of
   // them, which see it in opposite directions; so a table, by the numbers that its ends get here,
-  // tells the one what the other is.
-  void connect_star_by_table()
+  // tells the one what the other is. The corners of its vertices are used to number them.
+  void connect_star_by_table(std::vector<Star_cell>& star)
   {
-    const std::size_t corners = 4 * m_star.size();
-    const auto vertex_at = [this](std::size_t k) { return m_star[k / 4].cell.vertices[k % 4]; };
+    std::array<Index, 3 * most_of_table> vertex, at; // of three corners of each cell, not the tip
+    for_each_side(star, [&](std::size_t n, std::size_t k, int place) {
+      vertex[k] = star[n].cell.vertices[place];
+      at[k] = corner(star[n].number, place);
+    });
+    const std::size_t corners = 3 * star.size();
     for (std::size_t k = 0; k < corners; ++k)
-      m_corners[vertex_at(k)] = Corner_index(k); // the last one of each counts
-    std::array<unsigned char, 4 * most_of_table> counted, number;
+      m_corners[Vertex_index(vertex[k])] = Corner_index(k); // the last one of each counts
+    std::array<unsigned char, 3 * most_of_table> counted, number;
     unsigned char vertices = 0;
     for (std::size_t k = 0; k < corners; ++k) {
       counted[k] = vertices;
-      vertices = static_cast<unsigned char>(vertices + (m_corners[vertex_at(k)] == k));
+      vertices = static_cast<unsigned char>(vertices + (m_corners[Vertex_index(vertex[k])] == k));
     }
     for (std::size_t k = 0; k < corners; ++k)
-      number[k] = counted[m_corners[vertex_at(k)]];
+      number[k] = counted[m_corners[Vertex_index(vertex[k])]];
     std::array<std::array<unsigned char, row_of_table>, row_of_table> sides;
-    for_each_side([&](std::size_t k, std::size_t from, std::size_t to) {
-      sides[number[from]][number[to]] = static_cast<unsigned char>(k);
+    for (std::size_t k = 0; k < corners; k += 3)
+      for (std::size_t i = 0; i < 3; ++i)
+        sides[number[k + (i + 1) % 3]][number[k + (i + 2) % 3]] = static_cast<unsigned char>(k + i);
+    for_each_side(star, [&](std::size_t n, std::size_t k, int place) {
+      const std::size_t first = 3 * n, i = k - first;
+      const std::size_t from = number[first + (i + 1) % 3], to = number[first + (i + 2) % 3];
+      star[n].cell.mirrors[place] = Corner_index(at[sides[to][from]]);
     });
-    for_each_side([&](std::size_t k, std::size_t from, std::size_t to) {
-      const int other = sides[number[to]][number[from]];
-      m_star[k / 4].cell.mirrors[k % 4] = corner(m_star[std::size_t(other / 4)].number, other % 4);
-    });
-  }
-
-  // Calls f(k, from, to) for each corner of a star's cell but that at the tip, with the ends of the
-  // edge of the border that is opposite to it, in the direction in which the cell sees it. Corners
-  // are counted from 0.
-  template <class Function>
-  void for_each_side(const Function& f) const
-  {
-    for (std::size_t n = 0; n < m_star.size(); ++n) {
-      const std::size_t tip = std::size_t(m_star[n].tip), first = 4 * n;
-      for (std::size_t i = 1; i < 4; ++i) {
-        // tip, side, p and q are an even permutation where the tip has an even place
-        const std::size_t side = (tip + i) % 4, p = (tip + i % 3 + 1) % 4, q = 6 - tip - side - p;
-        f(first + side, first + (tip % 2 == 0 ? p : q), first + (tip % 2 == 0 ? q : p));
-      }
-    }
   }
 
   // The same for any number of cells.
-  void connect_star_by_sorting()
+  static void connect_star_by_sorting(std::vector<Star_cell>& star)
   {
-    std::vector<std::pair<Few<Vertex_index, 2>, std::size_t>> sides;
-    for_each_side([&](std::size_t k, std::size_t from, std::size_t to) {
-      const Vertices_3& v = m_star[k / 4].cell.vertices;
-      const auto [low, high] = std::minmax(v[from % 4], v[to % 4]);
-      sides.push_back({{low, high}, k});
+    struct Side
+    {
+      Few<Vertex_index, 2> ends;
+      std::size_t n;
+      int place;
+    };
+    std::vector<Side> sides;
+    for_each_side(star, [&](std::size_t n, std::size_t k, int place) {
+      const auto& others = other_places[star[n].tip];
+      const Vertices_3& v = star[n].cell.vertices;
+      const auto [low, high] = std::minmax(v[others[(k + 1) % 3]], v[others[(k + 2) % 3]]);
+      sides.push_back({{low, high}, n, place});
     });
-    std::sort(sides.begin(), sides.end());
-    for (std::size_t n = 0; n < sides.size(); ++n) {
-      const std::size_t k = sides[n].second, other = sides[n ^ 1].second;
-      m_star[k / 4].cell.mirrors[k % 4] = corner(m_star[other / 4].number, int(other % 4));
+    std::sort(sides.begin(), sides.end(),
+              [](const Side& a, const Side& b) { return a.ends < b.ends; });
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+      const Side &side = sides[i], &other = sides[i ^ 1];
+      star[side.n].cell.mirrors[side.place] = corner(star[other.n].number, other.place);
     }
   }
 
+  // Calls f(n, k, place) for each corner of the n-th cell of a star but that at the tip. All are
+  // counted by k. The edge of the border opposite to each goes from the next one to the one after.
+  template <class Function>
+  static void for_each_side(const std::vector<Star_cell>& star, const Function& f)
+  {
+    for (std::size_t n = 0; n < star.size(); ++n)
+      for (std::size_t i = 0; i < 3; ++i)
+        f(n, 3 * n + i, int(other_places[star[n].tip][i]));
+  }
+
   // A star of so many cells has at most so many vertices: by Euler, half of it and two on the
-  // border, and the tip. All corners have numbers of a byte.
-  static constexpr std::size_t most_of_table = 64, row_of_table = most_of_table / 2 + 3;
-  std::vector<Star_cell> m_star;
+  // border. All corners have numbers of a byte.
+  static constexpr std::size_t most_of_table = 64, row_of_table = most_of_table / 2 + 2;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_STATIC_PARALLEL_INSERTION_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_STATIC_PARALLEL_INSERTION_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Spatial_parts_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Vertex_insertion_3.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Inserts lists of vertices into the cells of a state, by threads.
+//
+// Space is divided into about as many parts as there are threads. Each thread inserts the vertices
+// of a part whose cells in conflict have all their vertices there. Those that are left, along the
+// borders, are then inserted in parts with other borders, and what is left of them by one thread.
+//
+// As ties are broken, the cells depend neither on the order of insertion nor on the number of
+// threads; but their numbers do.
+template <class State>
+class Parallel_insertion_3
+{
+  using Parts = typename State::Exact_parts;
+  using Division = Spatial_parts_3<typename State::Positions, Parts>;
+  using Arrays = typename State::Arrays;
+
+public:
+  using Covered = std::vector<std::pair<Vertex_index, Vertex_index>>;
+  // By one thread.
+  using Insertion = Vertex_insertion_3<State, true>;
+
+  Parallel_insertion_3(State& state, Insertion& insertion)
+    : m_state(state)
+    , m_insertion(insertion)
+  {
+  }
+
+  // Inserts vertices, which follow a curve. `covered` gets those that coincide with others, each
+  // with the one that has cells.
+  void insert(std::vector<Vertex_index> vertices, Covered& covered)
+  {
+    for (const typename Division::Numbers& numbers : divisions(vertices.size()))
+      if (is_worth_threads(vertices.size()))
+        vertices = insert_in_parts(Division(m_state.positions, numbers), vertices, covered);
+    for (const Vertex_index v : vertices)
+      if (const Vertex_index other = m_insertion.insert(v); other != null_index)
+        covered.emplace_back(v, other);
+  }
+
+private:
+  // Lets cells be replaced whose vertices are in a part.
+  struct Part_region
+  {
+    bool has(const Vertices_3& v) const
+    {
+      return division->has(part, v[0]) && division->has(part, v[1]) && division->has(part, v[2]) &&
+             division->has(part, v[3]);
+    }
+
+    const Division* division;
+    std::size_t part;
+  };
+  using Part_insertion = Vertex_insertion_3<State, true, Part_region>;
+
+  // What a thread does in a part.
+  struct Work
+  {
+    std::vector<Vertex_index> vertices; // to be inserted
+    Cell_index start = null_index;      // where the first walk begins
+    std::vector<Vertex_index> left;
+    Covered covered;
+  };
+
+  // With fewer ones for each thread too many are at borders.
+  static constexpr std::size_t least_of_part = (std::max)(Parts::usual_size / 4, std::size_t(1));
+
+  static bool is_worth_threads(std::size_t vertices)
+  {
+    return Parts::most_workers() > 1 && vertices >= 2 * least_of_part;
+  }
+
+  // Three divisions with different borders.
+  static std::array<typename Division::Numbers, 3> divisions(std::size_t vertices)
+  {
+    const std::size_t most = (std::max)(vertices / least_of_part, std::size_t(1));
+    const typename Division::Numbers n = numbers((std::min)(Parts::most_workers(), most));
+    if (n[0] != n[2])
+      return {{{n[0], n[1], n[2]}, {n[2], n[0], n[1]}, {n[1], n[2], n[0]}}};
+    const std::size_t other = n[0] == 2 ? 3 : 2;
+    return {{{n[0], n[1], n[2]}, {other, n[1], other}, {other, other, n[2]}}};
+  }
+
+  // Into how many slabs, columns and blocks space is divided for so many threads: so that the one
+  // with the most parts has as few of all as possible.
+  static typename Division::Numbers numbers(std::size_t threads)
+  {
+    typename Division::Numbers best{1, 1, 1};
+    const auto rounds = [threads](const typename Division::Numbers& n) {
+      return (Division::number(n) + threads - 1) / threads;
+    };
+    for (std::size_t x = 1; x <= Division::most_in_row; ++x)
+      for (std::size_t y = 1; y <= x; ++y)
+        for (std::size_t z = 1; z <= y; ++z) {
+          const typename Division::Numbers n{x, y, z};
+          const std::size_t share = rounds(n) * Division::number(best);
+          const std::size_t best_share = rounds(best) * Division::number(n);
+          if (share < best_share ||
+              (share == best_share && Division::number(n) < Division::number(best)))
+            best = n;
+        }
+    return best;
+  }
+
+  // Returns the vertices that are left, in their order.
+  std::vector<Vertex_index> insert_in_parts(const Division& division,
+                                            const std::vector<Vertex_index>& vertices,
+                                            Covered& covered)
+  {
+    constexpr std::size_t cells = 7; // that random points add, each
+    std::vector<Work> works(division.number());
+    for (const Vertex_index v : vertices)
+      works[division.part_of(v)].vertices.push_back(v);
+    for (std::size_t part = 0; part < works.size(); ++part)
+      works[part].start = find_start({&division, part}, works[part].vertices);
+    m_state.arrays.begin_parts(
+        works.size(), [&](std::size_t part) { return cells * works[part].vertices.size(); });
+    Parts::run_long(works.size(), [&](std::size_t part) {
+      insert({&division, part}, works[part]);
+    });
+    m_state.arrays.end_parts();
+    std::vector<Vertex_index> left;
+    for (const Work& work : works) {
+      left.insert(left.end(), work.left.begin(), work.left.end());
+      covered.insert(covered.end(), work.covered.begin(), work.covered.end());
+    }
+    std::sort(left.begin(), left.end());
+    return left;
+  }
+
+  // A cell of a region that contains one of some vertices, or null_index.
+  Cell_index find_start(const Part_region& region, const std::vector<Vertex_index>& vertices)
+  {
+    constexpr std::size_t tries = 16;
+    for (std::size_t i = 0; i < tries && !vertices.empty(); ++i) {
+      const Cell_index c = m_insertion.locate(vertices[vertices.size() * i / tries]);
+      m_insertion.start_at(c);
+      if (region.has(m_state.arrays.vertices(c)))
+        return c;
+    }
+    return null_index;
+  }
+
+  void insert(const Part_region& region, Work& work)
+  {
+    if (work.start == null_index) {
+      work.left.swap(work.vertices);
+      return;
+    }
+    Part_insertion insertion(m_state, m_state.arrays, region);
+    insertion.start_at(work.start);
+    for (const Vertex_index v : work.vertices)
+      if (const Vertex_index other = insertion.insert(v); other == v) {
+        work.left.push_back(v);
+        insertion.start_at(start_near(region, v, insertion.last()));
+      } else if (other != null_index) {
+        work.covered.emplace_back(v, other);
+      }
+  }
+
+  // A cell of a region near to a vertex that could not be inserted. From the last one walks may
+  // lead out of the region, wherever they go.
+  Cell_index start_near(const Part_region& region, Vertex_index v, Cell_index last) const
+  {
+    constexpr Index most_steps = 64;
+    for (Index step = 1; step <= most_steps && step < v; ++step) { // numbers follow a curve
+      const Vertex_index u(v - step);
+      if (region.division->part_of(u) != region.part) // others change meanwhile
+        continue;
+      if (const Corner_index k = m_state.arrays.corner_of(u); k != null_index)
+        if (const Cell_index c = Arrays::cell_of(k); region.has(m_state.arrays.vertices(c)))
+          return c;
+    }
+    return last;
+  }
+
+  State& m_state;
+  Insertion& m_insertion;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_STATIC_PARALLEL_INSERTION_3_H

@@ -1,0 +1,222 @@
+// Copyright (c) 2026 The Dynamic_Delaunay_triangulation_2 authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#ifndef CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_TOPOLOGY_CANONICAL_CELLS_3_H
+#define CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_TOPOLOGY_CANONICAL_CELLS_3_H
+
+#include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
+
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Tetrahedra_arrays_3.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
+
+// Gives the cells of open space numbers that do not depend on how they have been made, and leaves
+// no gaps: they follow their smallest vertices, then the second ones, and so on. A pass over them
+// then reads positions in order. The infinite vertex comes after all others.
+//
+// The vertices of a cell begin with the smallest one and the smallest of the others; the
+// orientation says in which order the other two follow. So two cells with the same first three
+// vertices would lie on the same side of a facet: three vertices tell all cells apart.
+template <class Parts>
+class Canonical_cells_3
+{
+  using Arrays = Tetrahedra_arrays_3;
+  using Cell = Arrays::Cell;
+  template <class Index_of_kind, class T>
+  using Uninitialized_column =
+      Dynamic_Delaunay_triangulations_2::internal::Uninitialized_column<Index_of_kind, T>;
+  template <class T>
+  using Uninitialized_vector = Dynamic_Delaunay_triangulations_2::internal::Uninitialized_vector<T>;
+
+public:
+  using Numbers = Column<Vertex_index, Vertex_index>;
+
+  explicit Canonical_cells_3(Arrays& arrays)
+    : m_arrays(arrays)
+  {
+  }
+
+  // Vertex v gets the number numbers[v], or keeps its own if that column is empty. No two vertices
+  // that have cells get the same one.
+  void order(const Numbers& numbers)
+  {
+    find_smallest(numbers);
+    count();
+    m_cells.resize(m_first.back());
+    m_turned.resize(m_arrays.number_of_cells());
+    m_corners.assign(m_arrays.number_of_vertices(), Corner_index(null_index));
+    const std::size_t vertices = m_first.size() - 1;
+    m_late.resize(Parts::number(vertices, Parts::size_for(32)));
+    Parts::for_each(vertices, Parts::size_for(32),
+                    [&](std::size_t part, std::size_t first, std::size_t beyond) {
+                      std::vector<Key> keys;
+                      for (std::size_t rank = first; rank < beyond; ++rank)
+                        order_cells_of(rank, numbers, keys, m_late[part]);
+                    });
+    for (const std::vector<Corner_index>& corners : m_late)
+      for (const Corner_index k : corners)
+        if (Corner_index& corner = m_corners[vertex(k)]; k < corner)
+          corner = k;
+    Parts::for_each_element(m_cells.size(), Parts::size_for(8), [this](std::size_t i) {
+      for (Corner_index& k : m_cells[Cell_index(i)].mirrors)
+        k = turned(k);
+    });
+    m_arrays.replace_all(m_cells, m_corners);
+  }
+
+private:
+  static constexpr std::size_t ahead = 24, most_counted = 24;
+
+  // The second and third vertex of a cell, its old number, and where its vertices go.
+  struct Key
+  {
+    std::uint64_t vertices;
+    Cell_index cell;
+    Few<std::uint8_t, 4> places; // old ones, in the new order
+    Index number = 0;            // among the cells with the same smallest vertex
+
+    friend bool operator<(const Key& a, const Key& b) { return a.vertices < b.vertices; }
+  };
+
+  // Of finite vertices from 0 on, in the order of their numbers.
+  static Index rank(Vertex_index v) { return Index(v) - 1; }
+  static_assert(infinite_index == 0, "so its rank is the largest of all");
+
+  static Vertex_index renamed(Vertex_index v, const Numbers& numbers)
+  {
+    return numbers.empty() ? v : numbers[v];
+  }
+
+  void find_smallest(const Numbers& numbers)
+  {
+    m_smallest.resize(m_arrays.number_of_cells());
+    Parts::for_each_element(m_smallest.size(), [&](std::size_t i) {
+      const Cell_index c(i);
+      Index smallest = null_index;
+      if (!m_arrays.is_free(c))
+        for (const Vertex_index v : m_arrays.vertices(c))
+          smallest = (std::min)(smallest, rank(renamed(v, numbers)));
+      m_smallest[c] = smallest;
+    });
+  }
+
+  // Lists the cells by their smallest vertices.
+  void count()
+  {
+    m_first.assign(m_arrays.number_of_vertices(), 0); // one more than finite ones
+    for (Cell_index c(0); c < m_smallest.size(); ++c)
+      if (m_smallest[c] != null_index)
+        ++m_first[m_smallest[c] + 1];
+    std::partial_sum(m_first.begin(), m_first.end(), m_first.begin());
+    std::vector<Index> next(m_first);
+    m_list.resize(m_first.back());
+    for (Cell_index c(0); c < m_smallest.size(); ++c)
+      if (m_smallest[c] != null_index)
+        m_list[next[m_smallest[c]]++] = Index(c);
+  }
+
+  // Writes the cells whose smallest vertex has a rank. `late` gets the corners of vertices that
+  // are the smallest of no cell.
+  void order_cells_of(std::size_t rank_of_smallest, const Numbers& numbers, std::vector<Key>& keys,
+                      std::vector<Corner_index>& late)
+  {
+    const Index first = m_first[rank_of_smallest], beyond = m_first[rank_of_smallest + 1];
+    if (first == beyond)
+      return;
+    keys.clear();
+    for (Index i = first; i < beyond; ++i) {
+      if (i + ahead < m_list.size())
+        m_arrays.prefetch(Cell_index(m_list[i + ahead]));
+      keys.push_back(key_of(Cell_index(m_list[i]), Index(rank_of_smallest), numbers));
+    }
+    m_corners[Vertex_index(rank_of_smallest + 1)] = Arrays::corner(Cell_index(first), 0);
+    find_numbers(keys);
+    for (const Key& key : keys)
+      write(Cell_index(first + key.number), key, numbers, late);
+  }
+
+  static void find_numbers(std::vector<Key>& keys)
+  {
+    if (keys.size() > most_counted) {
+      std::sort(keys.begin(), keys.end());
+      for (std::size_t i = 0; i < keys.size(); ++i)
+        keys[i].number = Index(i);
+      return;
+    }
+    // to count the smaller ones of a few takes no branches, which would be mispredicted
+    for (std::size_t i = 0; i < keys.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const bool is_smaller = keys[j] < keys[i];
+        keys[i].number += Index(is_smaller);
+        keys[j].number += Index(!is_smaller);
+      }
+  }
+
+  Key key_of(Cell_index c, Index smallest, const Numbers& numbers) const
+  {
+    Few<Index, 4> ranks;
+    for (int i = 0; i < 4; ++i)
+      ranks[i] = rank(renamed(m_arrays.vertices(c)[i], numbers));
+    const int at =
+        int(ranks[1] == smallest) + 2 * int(ranks[2] == smallest) + 3 * int(ranks[3] == smallest);
+    const auto& o = other_places[at];
+    const Index a = ranks[o[0]], b = ranks[o[1]], d = ranks[o[2]];
+    const int turn = int(b < a) * int(b < d) + 2 * int(d < a) * int(d < b);
+    const std::uint8_t second = o[turn], third = o[(turn + 1) % 3], fourth = o[(turn + 2) % 3];
+    return {(std::uint64_t(ranks[second]) << 32) | ranks[third],
+            c,
+            {std::uint8_t(at), second, third, fourth},
+            0};
+  }
+
+  void write(Cell_index number, const Key& key, const Numbers& numbers,
+             std::vector<Corner_index>& late)
+  {
+    const Cell& old = m_arrays.cell(key.cell);
+    Cell& cell = m_cells[number];
+    std::uint64_t places = 0; // new ones, in the old order
+    for (int i = 0; i < 4; ++i) {
+      const int from = key.places[i];
+      const Vertex_index v = renamed(old.vertices[from], numbers);
+      cell.vertices[i] = v;
+      cell.mirrors[i] = old.mirrors[from];
+      places |= std::uint64_t(i) << (2 * from);
+      if (i > 0 && (v == infinite_index || m_first[rank(v)] == m_first[Index(v)]))
+        late.push_back(Arrays::corner(number, i));
+    }
+    m_turned[key.cell] = (std::uint64_t(number) << 8) | places;
+  }
+
+  Corner_index turned(Corner_index k) const
+  {
+    const std::uint64_t cell = m_turned[Arrays::cell_of(k)];
+    return Arrays::corner(Cell_index(cell >> 8), int(cell >> (2 * Arrays::place_of(k))) & 3);
+  }
+
+  Vertex_index vertex(Corner_index k) const
+  {
+    return m_cells[Arrays::cell_of(k)].vertices[Arrays::place_of(k)];
+  }
+
+  Arrays& m_arrays;
+  Uninitialized_column<Cell_index, Index> m_smallest; // ranks; null_index for free cells
+  std::vector<Index> m_first;         // by rank, where the cells begin of which it is the smallest
+  Uninitialized_vector<Index> m_list; // of cells by their smallest vertices
+  // for each old cell its new number, and where its vertices go
+  Uninitialized_column<Cell_index, std::uint64_t> m_turned;
+  std::vector<std::vector<Corner_index>> m_late;
+  Column<Cell_index, Cell> m_cells;
+  Column<Vertex_index, Corner_index> m_corners;
+};
+
+} // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
+
+#endif // CGAL_DYNAMIC_DELAUNAY_TRIANGULATION_3_INTERNAL_TOPOLOGY_CANONICAL_CELLS_3_H
