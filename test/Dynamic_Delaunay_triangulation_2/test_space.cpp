@@ -95,6 +95,45 @@ TEST(Points_in_space, may_form_a_lattice)
   ASSERT_NO_FATAL_FAILURE(expect_exact(Dynamic(lattice(6)), lattice(6)));
 }
 
+// The points of integer coordinates on a sphere around the origin.
+Points integer_sphere(int squared_radius)
+{
+  Points points;
+  const int most = int(std::sqrt(squared_radius));
+  for (int x = -most; x <= most; ++x)
+    for (int y = -most; y <= most; ++y)
+      for (int z = -most; z <= most; ++z)
+        if (x * x + y * y + z * z == squared_radius)
+          points.emplace_back(x, y, z);
+  return points;
+}
+
+// CGAL perturbs points in the same way, so that not even ties leave a choice.
+TEST(Points_in_space, have_the_cells_of_CGAL_also_in_ties)
+{
+  Points half, layers, shells = integer_sphere(41);
+  for (const Point& p : random_points(600))
+    half.emplace_back(std::floor(8 * p.x()), std::floor(8 * p.y()), std::floor(8 * p.z()));
+  for (const Point& p : random_points(300))
+    layers.emplace_back(p.x(), p.y(), std::floor(3 * p.z()));
+  for (const Point& p : integer_sphere(101))
+    shells.push_back(p);
+  for (const Points& points :
+       {lattice(6), half, layers, integer_sphere(41), integer_sphere(101), shells}) {
+    const Dynamic dt(points);
+    space_oracle::Fresh<Epick> fresh;
+    for (std::size_t id = 0; id < points.size(); ++id)
+      fresh.insert(points[id])->info() = dt.representative(id);
+    std::set<space_oracle::Cell> cells;
+    for (const auto c : fresh.finite_cell_handles())
+      cells.insert(space_oracle::sorted(std::array<std::size_t, 4>{
+          c->vertex(0)->info(), c->vertex(1)->info(), c->vertex(2)->info(), c->vertex(3)->info()}));
+    EXPECT_EQ(cells.size(), fresh.number_of_finite_cells());
+    EXPECT_TRUE(cells == space_oracle::cells_of(dt)) << points.size() << " points";
+    EXPECT_TRUE(dt.is_valid());
+  }
+}
+
 // Far more cells than most vertices have.
 TEST(Points_in_space, may_be_inserted_amid_hundreds)
 {

@@ -220,8 +220,8 @@ TEST(Space_checkpoints, the_example_in_the_manual_is_a_checkpoint)
             "Dynamic_Delaunay_triangulation_3 checkpoint 1\ncoordinates double\npositions exact\n"
             "dimension 3\nids 6\nvertices 4\n3 0 0 1\n0 0 0 0\n2 0 1 0\n1 1 0 0\n"
             "duplicates 1\n4 3 0 1 0\nfree_ids 1\n5\norigin 0.20618 0.39283 0.20865\n"
-            "cells 5\n1 0 4 3\n4 2 0 1\n2 1 3 0\n1 2 3 4\n0 3 2 4\n"
-            "corners 5\n16\n12\n18\n17\n19\nchecksum e626691e\n");
+            "cells 5\n1 2 3 4\n1 2 4 0\n1 2 0 3\n1 3 0 4\n2 3 4 0\n"
+            "corners 5\n19\n12\n16\n17\n18\nchecksum 6c2fdfdb\n");
 }
 
 // Neighboring doubles have no double between them.

@@ -38,7 +38,7 @@ namespace {
 template <class Function>
 void with_threads(int threads, const Function& f)
 {
-  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 8);
+  const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 16);
   tbb::task_arena(threads).execute(f);
 }
 template <class Function>
@@ -46,6 +46,11 @@ void with_threads(const Function& f)
 {
   with_threads(4, f);
 }
+
+using Sequential_in_space = CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick>;
+using Parallel_in_space =
+    CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick,
+                                           CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
 
 auto all_of(const CGAL::Update_report_3& r)
 {
@@ -104,6 +109,50 @@ TYPED_TEST(Threads_in_space, change_nothing_but_the_time)
     ASSERT_EQ(all_of(report), all_of(other));
     ASSERT_EQ(checkpoint_of(alone), checkpoint_of(together));
     with_threads([&] { EXPECT_TRUE(together.certify()); });
+  }
+}
+
+// Points of many kinds: cells in ties, a vertex amid hundreds, points that coincide by the dozen,
+// crowds that are far apart, and nearly all points on the hull.
+std::map<std::string, std::vector<CGAL::Epick::Point_3>> points_of_many_kinds()
+{
+  using Point = CGAL::Epick::Point_3;
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> normal;
+  const auto around = [&](const Point& p, double size) {
+    const double x = p.x() + size * normal(random), y = p.y() + size * normal(random);
+    return Point(x, y, p.z() + size * normal(random));
+  };
+  std::map<std::string, std::vector<Point>> kinds;
+  for (const int number : {4, 5, 20, 100, 500, 3000})
+    for (int i = 0; i < number; ++i)
+      kinds["random " + std::to_string(number)].push_back(around({0, 0, 0}, 1));
+  for (int i = 0; i < 1000; ++i) {
+    kinds["lattice"].emplace_back(i % 10, i / 10 % 10, i / 100);
+    kinds["coincident"].emplace_back(i % 5, i / 5 % 5, i * i % 7);
+    kinds["crowds"].push_back(around({i % 2 == 0 ? 1e9 : 0.0, 0, i % 3 == 0 ? 1e9 : 0.0}, 1e-3));
+    const Point p = around({0, 0, 0}, 1);
+    kinds["layers"].emplace_back(p.x(), p.y(), std::rint(p.z()));
+    kinds["line"].emplace_back(0, i % 100 == 0 ? p.y() : 0, p.z());
+    kinds["hull"].push_back(CGAL::ORIGIN +
+                            (p - CGAL::ORIGIN) / std::sqrt((p - CGAL::ORIGIN).squared_length()));
+    kinds["parabola"].emplace_back(i, i * i, i % 3 == 0 ? 1 : -i * i);
+  }
+  kinds["hull"].emplace_back(0.1, 0, 0);
+  return kinds;
+}
+
+TEST(Construction_in_space, does_not_depend_on_threads)
+{
+  for (const auto& [kind, points] : points_of_many_kinds()) {
+    SCOPED_TRACE(kind);
+    const Sequential_in_space alone(points);
+    EXPECT_TRUE(alone.is_valid());
+    for (const int threads : {1, 2, 3, 4, 5, 8, 16})
+      with_threads(threads, [&, &points = points] {
+        const Parallel_in_space together(points);
+        EXPECT_TRUE(checkpoint_of(alone) == checkpoint_of(together)) << threads << " threads";
+      });
   }
 }
 
