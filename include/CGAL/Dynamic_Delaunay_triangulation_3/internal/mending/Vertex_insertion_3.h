@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
@@ -24,18 +25,23 @@ struct Everywhere_3
   static constexpr bool has(const Vertices_3&) { return true; }
 };
 
+// Takes the vertex that is inserted for the last one.
+struct Order_of_insertion_3
+{
+};
+
 // Inserts vertices into cells that are Delaunay: the cells whose spheres contain the vertex are
 // replaced by cells from their boundary to it (Bowyer 1981, Watson 1981). The cells may be those of
 // the state, or others with its vertices. Nothing depends on the origin.
 //
-// Ties are broken only where all cells have been made so: else the cells in conflict need not be a
-// ball.
+// No cell is replaced because of a tie. With another `Order`, all cells have to be made with that
+// one from the first on; then they are those that insertion in that order leads to.
 //
 // A `Region` says which cells may be replaced, by has(vertices), and in what `part` of the arrays.
 // At most one region has all vertices of a cell. So threads may insert in different regions at the
 // same time: what shares a facet with a cell of a region has three vertices there, and is replaced
 // by no other thread.
-template <class State, bool breaks_ties = false, class Region = Everywhere_3>
+template <class State, class Order = Order_of_insertion_3, class Region = Everywhere_3>
 class Vertex_insertion_3
 {
   using Arrays = Tetrahedra_arrays_3;
@@ -157,10 +163,10 @@ private:
   }
   bool is_inside(const Vertices_3& w, Vertex_index v) const
   {
-    if constexpr (breaks_ties)
-      return m_signs.side_of_sphere_without_ties(w, v) > 0;
-    else
+    if constexpr (std::is_same_v<Order, Order_of_insertion_3>)
       return m_signs.side_of_sphere(w, v) > 0;
+    else
+      return m_signs.side_of_sphere_in_order(w, v, Order()) > 0;
   }
 
   // Finds the cells in conflict, and the facets of their border; false if not all of these cells

@@ -57,21 +57,23 @@ public:
     return int(m_side_of_sphere(point(v[0]), point(v[1]), point(v[2]), point(v[3]), point(other)));
   }
 
-  // The same if ties are broken: where `other` is on the sphere, as if points were lifted from
-  // their paraboloid by amounts of different orders, the last one in the order of their coordinates
-  // by the largest (Devillers and Teillaud 2003, as in CGAL's Delaunay_triangulation_3). Then
-  // points have one Delaunay triangulation only, without flat cells. `other` is not a vertex of the
-  // cell, nor where one of them is.
-  int side_of_sphere_without_ties(const Vertices_3& v, Vertex_index other) const
+  // The same without ties: where `other` is on the sphere, as if points were lifted from their
+  // paraboloid by amounts of different orders of magnitude, the last one in some order by the
+  // largest (Devillers and Teillaud 2003). Then points have one Delaunay triangulation only,
+  // without flat cells: that which insertion in this order leads to, if no cell is replaced because
+  // of a tie. `other` must not be where a vertex of the cell is.
+  template <class Order>
+  int side_of_sphere_in_order(const Vertices_3& v, Vertex_index other, const Order& precedes) const
   {
     if (const int sign = side_of_sphere(v, other))
       return sign;
     Few<Vertex_index, 5> sites{v[0], v[1], v[2], v[3], other};
-    std::sort(sites.begin(), sites.end(),
-              [this](Vertex_index a, Vertex_index b) { return precedes(a, b); });
-    for (int i = 4; i > 0 && sites[i] != other; --i) {
-      const int place = int(std::find(v.begin(), v.end(), sites[i]) - v.begin());
-      if (const int sign = with(v, place, other)) // so of one of the last two
+    for (int last = 4; last > 0; --last) { // ends after two steps: three are not collinear
+      std::swap(sites[last], *std::max_element(sites.begin(), sites.begin() + last + 1, precedes));
+      if (sites[last] == other)
+        return -1;
+      const int place = int(std::find(v.begin(), v.end(), sites[last]) - v.begin());
+      if (const int sign = with(v, place, other))
         return sign;
     }
     return -1;
@@ -126,15 +128,6 @@ public:
 private:
   decltype(auto) point(Vertex_index v) const { return m_state.point(v); }
   Point origin() const { return Point(m_state.origin.x, m_state.origin.y, m_state.origin.z); }
-
-  // By coordinates.
-  bool precedes(Vertex_index a, Vertex_index b) const
-  {
-    const auto before = [](const auto& p, const auto& q) {
-      return p.x() != q.x() ? p.x() < q.x() : p.y() != q.y() ? p.y() < q.y() : p.z() < q.z();
-    };
-    return before(point(a), point(b));
-  }
 
   int sign_from_origin(const Vertices_3& v, int place) const
   {

@@ -58,7 +58,6 @@ public:
   using Place = typename Positions::Place;
   using Arrays = Arrays_of_space;
   using Ids = Dynamic_Delaunay_triangulations_2::internal::Point_ids_2<Point>;
-  using Concurrency_tag = ConcurrencyTag;
   using Parts = Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<ConcurrencyTag>;
   using Phases = Dynamic_Delaunay_triangulations_2::internal::Phase_log<ConcurrencyTag>;
   // Of what exact predicates decide: other coordinates than doubles are computed when they are

@@ -8,6 +8,9 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Spatial_parts_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Vertex_insertion_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Vertex_order_3.h>
+
+#include <boost/functional/hash.hpp>
 
 #include <algorithm>
 #include <array>
@@ -23,8 +26,9 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // of a part whose cells in conflict have all their vertices there. Those that are left, along the
 // borders, are then inserted in parts with other borders, and what is left of them by one thread.
 //
-// As ties are broken, the cells depend neither on the order of insertion nor on the number of
-// threads; but their numbers do.
+// All the same the cells are those of insertion one after the other, in the order of rounds: ties
+// are decided so, and of points that coincide the first one gets cells. Only the numbers of cells
+// depend on threads.
 template <class State>
 class Parallel_insertion_3
 {
@@ -35,7 +39,7 @@ class Parallel_insertion_3
 public:
   using Covered = std::vector<std::pair<Vertex_index, Vertex_index>>;
   // By one thread.
-  using Insertion = Vertex_insertion_3<State, true>;
+  using Insertion = Vertex_insertion_3<State, Order_of_rounds_3>;
 
   Parallel_insertion_3(State& state, Insertion& insertion)
     : m_state(state)
@@ -43,16 +47,18 @@ public:
   {
   }
 
-  // Inserts vertices, which follow a curve. `covered` gets those that coincide with others, each
-  // with the one that has cells.
+  // Inserts the vertices of a round. `covered` gets those that coincide with others, in their
+  // order, each with the one that has cells.
   void insert(std::vector<Vertex_index> vertices, Covered& covered)
   {
+    const std::size_t before = covered.size();
     for (const typename Division::Numbers& numbers : divisions(vertices.size()))
       if (is_worth_threads(vertices.size()))
         vertices = insert_in_parts(Division(m_state.positions, numbers), vertices, covered);
     for (const Vertex_index v : vertices)
       if (const Vertex_index other = m_insertion.insert(v); other != null_index)
         covered.emplace_back(v, other);
+    std::sort(covered.begin() + std::ptrdiff_t(before), covered.end());
   }
 
 private:
@@ -68,7 +74,7 @@ private:
     const Division* division;
     std::size_t part;
   };
-  using Part_insertion = Vertex_insertion_3<State, true, Part_region>;
+  using Part_insertion = Vertex_insertion_3<State, Order_of_rounds_3, Part_region>;
 
   // What a thread does in a part.
   struct Work
@@ -77,6 +83,30 @@ private:
     Cell_index start = null_index;      // where the first walk begins
     std::vector<Vertex_index> left;
     Covered covered;
+  };
+
+  // Places of vertices that are left, so that others that coincide with them are left, too. Some
+  // other places seem to be among them.
+  class Few_places
+  {
+  public:
+    explicit Few_places(std::size_t vertices)
+      : m_bits(16 * vertices + 1, false)
+    {
+    }
+    bool may_have(const Position_3& p) const { return m_bits[number(p)]; }
+    void insert(const Position_3& p) { m_bits[number(p)] = true; }
+
+  private:
+    std::size_t number(const Position_3& p) const
+    {
+      std::size_t hash = 0;
+      for (const double x : {p.x, p.y, p.z})
+        boost::hash_combine(hash, x + 0.0); // the same for both zeros
+      return hash % m_bits.size();
+    }
+
+    std::vector<bool> m_bits;
   };
 
   // With fewer ones for each thread too many are at borders.
@@ -166,13 +196,18 @@ private:
     }
     Part_insertion insertion(m_state, m_state.arrays, region);
     insertion.start_at(work.start);
-    for (const Vertex_index v : work.vertices)
-      if (const Vertex_index other = insertion.insert(v); other == v) {
+    Few_places places_left(work.vertices.size());
+    for (const Vertex_index v : work.vertices) {
+      const Position_3& p = m_state.positions.position(v);
+      const Vertex_index other = places_left.may_have(p) ? v : insertion.insert(v);
+      if (other == v) {
         work.left.push_back(v);
+        places_left.insert(p);
         insertion.start_at(start_near(region, v, insertion.last()));
       } else if (other != null_index) {
         work.covered.emplace_back(v, other);
       }
+    }
   }
 
   // A cell of a region near to a vertex that could not be inserted. From the last one walks may

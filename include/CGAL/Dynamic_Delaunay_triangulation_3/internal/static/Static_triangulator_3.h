@@ -65,7 +65,7 @@ public:
       round.erase(std::remove_if(round.begin(), round.end(), is_in), round.end());
       m_parts.insert(std::move(round), covered);
     }
-    Canonical_cells_3<Parts>(m_state.arrays).order(represent_by_first(covered));
+    Canonical_cells_3<Parts>(m_state.arrays).order();
     choose_origin();
   }
 
@@ -98,27 +98,6 @@ public:
   }
 
 private:
-  // Of vertices that coincide, lets the one with the smallest number have the cells. Returns the
-  // numbers that vertices with cells get, or nothing if none coincide.
-  typename Canonical_cells_3<Parts>::Numbers
-  represent_by_first(std::vector<std::pair<Vertex_index, Vertex_index>>& covered) const
-  {
-    typename Canonical_cells_3<Parts>::Numbers numbers;
-    if (covered.empty())
-      return numbers;
-    for (Vertex_index v(0); v <= m_state.number_of_vertices(); ++v)
-      numbers.push_back(v);
-    for (const auto& [v, other] : covered)
-      numbers[other] = (std::min)(numbers[other], v);
-    for (auto& [v, other] : covered) {
-      const Vertex_index smallest = numbers[other];
-      v = v == smallest ? other : v;
-      other = smallest;
-    }
-    std::sort(covered.begin(), covered.end());
-    return numbers;
-  }
-
   // The mean of the vertices, and their extent along each axis.
   std::pair<Position_3, Position_3> middle_and_extent() const
   {

@@ -11,25 +11,18 @@
 #include <CGAL/hilbert_sort.h>
 #include <CGAL/Spatial_sort_traits_adapter_3.h>
 
-#include <CGAL/tags.h>
-
 #include <boost/property_map/function_property_map.hpp>
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/task_arena.h>
-#endif
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <type_traits>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// The numbers of positions along a Hilbert curve, the same ones with and without threads.
-template <class ConcurrencyTag = Sequential_tag>
-std::vector<Index> order_along_curve(const std::vector<Position_3>& positions)
+// The numbers of positions along a Hilbert curve.
+inline std::vector<Index> order_along_curve(const std::vector<Position_3>& positions)
 {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   std::vector<Index> order(positions.size());
@@ -40,32 +33,40 @@ std::vector<Index> order_along_curve(const std::vector<Position_3>& positions)
   };
   const auto map = boost::make_function_property_map<Index>(point_of);
   const Spatial_sort_traits_adapter_3<Kernel, decltype(map)> traits(map);
-  using Tag = // CGAL knows no others
-      std::conditional_t<std::is_same_v<ConcurrencyTag, Parallel_tag>, Parallel_tag,
-                         Sequential_tag>;
-  const auto sort = [&] { hilbert_sort<Tag>(order.begin(), order.end(), traits); };
-#ifdef CGAL_LINKED_WITH_TBB
-  tbb::this_task_arena::isolate(sort); // so that it takes no work of the caller
-#else
-  sort();
-#endif
+  hilbert_sort(order.begin(), order.end(), traits);
   return order;
 }
 
-// The vertices from 1 to `vertices` in rounds (Amenta, Choi and Rote 2003): one in eight, chosen at
-// random, comes before the others, one in eight of these before the rest of them, and so on; within
-// a round they follow their numbers. Rounds may be empty.
-inline std::array<std::vector<Vertex_index>, 10> rounds_of(Index vertices)
+// Vertices in rounds (Amenta, Choi and Rote 2003): one in eight, chosen at random, comes before the
+// others, one in eight of these before the rest of them, and so on; within a round they follow
+// their numbers.
+inline constexpr std::size_t number_of_rounds = 10;
+
+inline std::size_t round_of(Vertex_index v)
 {
   constexpr std::uint64_t choices = 8;
-  std::array<std::vector<Vertex_index>, 10> rounds;
-  for (Vertex_index v(1); v <= vertices; ++v) {
-    std::uint64_t bits = (std::uint64_t(Index(v)) * 0x9e3779b97f4a7c15u) >> 24;
-    std::size_t round = 0;
-    for (; round + 1 < rounds.size() && bits % choices == 0; ++round)
-      bits /= choices;
-    rounds[rounds.size() - 1 - round].push_back(v);
+  std::uint64_t bits = (std::uint64_t(Index(v)) * 0x9e3779b97f4a7c15u) >> 24;
+  std::size_t round = number_of_rounds - 1;
+  for (; round > 0 && bits % choices == 0; --round)
+    bits /= choices;
+  return round;
+}
+
+struct Order_of_rounds_3
+{
+  bool operator()(Vertex_index a, Vertex_index b) const
+  {
+    const std::size_t round = round_of(a), other = round_of(b);
+    return round != other ? round < other : a < b;
   }
+};
+
+// Those from 1 to `vertices`. Rounds may be empty.
+inline std::array<std::vector<Vertex_index>, number_of_rounds> rounds_of(Index vertices)
+{
+  std::array<std::vector<Vertex_index>, number_of_rounds> rounds;
+  for (Vertex_index v(1); v <= vertices; ++v)
+    rounds[round_of(v)].push_back(v);
   return rounds;
 }
 inline std::vector<Vertex_index> order_by_rounds(Index vertices)

@@ -37,18 +37,14 @@ class Canonical_cells_3
   using Uninitialized_vector = Dynamic_Delaunay_triangulations_2::internal::Uninitialized_vector<T>;
 
 public:
-  using Numbers = Column<Vertex_index, Vertex_index>;
-
   explicit Canonical_cells_3(Arrays& arrays)
     : m_arrays(arrays)
   {
   }
 
-  // Vertex v gets the number numbers[v], or keeps its own if that column is empty. No two vertices
-  // that have cells get the same one.
-  void order(const Numbers& numbers)
+  void order()
   {
-    find_smallest(numbers);
+    find_smallest();
     count();
     m_cells.resize(m_first.back());
     m_turned.resize(m_arrays.number_of_cells());
@@ -59,7 +55,7 @@ public:
                     [&](std::size_t part, std::size_t first, std::size_t beyond) {
                       std::vector<Key> keys;
                       for (std::size_t rank = first; rank < beyond; ++rank)
-                        order_cells_of(rank, numbers, keys, m_late[part]);
+                        order_cells_of(rank, keys, m_late[part]);
                     });
     for (const std::vector<Corner_index>& corners : m_late)
       for (const Corner_index k : corners)
@@ -90,12 +86,7 @@ private:
   static Index rank(Vertex_index v) { return Index(v) - 1; }
   static_assert(infinite_index == 0, "so its rank is the largest of all");
 
-  static Vertex_index renamed(Vertex_index v, const Numbers& numbers)
-  {
-    return numbers.empty() ? v : numbers[v];
-  }
-
-  void find_smallest(const Numbers& numbers)
+  void find_smallest()
   {
     m_smallest.resize(m_arrays.number_of_cells());
     Parts::for_each_element(m_smallest.size(), [&](std::size_t i) {
@@ -103,7 +94,7 @@ private:
       Index smallest = null_index;
       if (!m_arrays.is_free(c))
         for (const Vertex_index v : m_arrays.vertices(c))
-          smallest = (std::min)(smallest, rank(renamed(v, numbers)));
+          smallest = (std::min)(smallest, rank(v));
       m_smallest[c] = smallest;
     });
   }
@@ -125,7 +116,7 @@ private:
 
   // Writes the cells whose smallest vertex has a rank. `late` gets the corners of vertices that
   // are the smallest of no cell.
-  void order_cells_of(std::size_t rank_of_smallest, const Numbers& numbers, std::vector<Key>& keys,
+  void order_cells_of(std::size_t rank_of_smallest, std::vector<Key>& keys,
                       std::vector<Corner_index>& late)
   {
     const Index first = m_first[rank_of_smallest], beyond = m_first[rank_of_smallest + 1];
@@ -135,12 +126,12 @@ private:
     for (Index i = first; i < beyond; ++i) {
       if (i + ahead < m_list.size())
         m_arrays.prefetch(Cell_index(m_list[i + ahead]));
-      keys.push_back(key_of(Cell_index(m_list[i]), Index(rank_of_smallest), numbers));
+      keys.push_back(key_of(Cell_index(m_list[i]), Index(rank_of_smallest)));
     }
     m_corners[Vertex_index(rank_of_smallest + 1)] = Arrays::corner(Cell_index(first), 0);
     find_numbers(keys);
     for (const Key& key : keys)
-      write(Cell_index(first + key.number), key, numbers, late);
+      write(Cell_index(first + key.number), key, late);
   }
 
   static void find_numbers(std::vector<Key>& keys)
@@ -160,11 +151,11 @@ private:
       }
   }
 
-  Key key_of(Cell_index c, Index smallest, const Numbers& numbers) const
+  Key key_of(Cell_index c, Index smallest) const
   {
     Few<Index, 4> ranks;
     for (int i = 0; i < 4; ++i)
-      ranks[i] = rank(renamed(m_arrays.vertices(c)[i], numbers));
+      ranks[i] = rank(m_arrays.vertices(c)[i]);
     const int at =
         int(ranks[1] == smallest) + 2 * int(ranks[2] == smallest) + 3 * int(ranks[3] == smallest);
     const auto& o = other_places[at];
@@ -177,15 +168,14 @@ private:
             0};
   }
 
-  void write(Cell_index number, const Key& key, const Numbers& numbers,
-             std::vector<Corner_index>& late)
+  void write(Cell_index number, const Key& key, std::vector<Corner_index>& late)
   {
     const Cell& old = m_arrays.cell(key.cell);
     Cell& cell = m_cells[number];
     std::uint64_t places = 0; // new ones, in the old order
     for (int i = 0; i < 4; ++i) {
       const int from = key.places[i];
-      const Vertex_index v = renamed(old.vertices[from], numbers);
+      const Vertex_index v = old.vertices[from];
       cell.vertices[i] = v;
       cell.mirrors[i] = old.mirrors[from];
       places |= std::uint64_t(i) << (2 * from);

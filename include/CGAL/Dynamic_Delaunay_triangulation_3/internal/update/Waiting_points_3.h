@@ -270,7 +270,7 @@ private:
       places.push_back(p->place.position);
     }
     std::size_t n = 0;
-    for (const Index i : order_along_curve<typename State::Concurrency_tag>(places))
+    for (const Index i : order_along_curve(places))
       *(first_new + std::ptrdiff_t(n++)) = fresh[i];
   }
 
