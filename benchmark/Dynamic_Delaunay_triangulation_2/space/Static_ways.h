@@ -7,6 +7,7 @@
 #include "../common/Thread_time.h"
 #include "Space_points.h"
 
+#include <CGAL/Bbox_3.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3.h>
 
@@ -53,6 +54,21 @@ inline void insert_sorted(const Points& sorted, Points& newcomers)
   CGAL::spatial_sort(newcomers.begin(), newcomers.end());
   insert_one_by_one(newcomers, fresh, hint);
 }
+
+#ifdef CGAL_LINKED_WITH_TBB
+
+// By the threads of the arena; a grid of locks is made as CGAL's manual has it.
+inline void insert_range_by_threads(const Points& points)
+{
+  using Tds = CGAL::Triangulation_data_structure_3<CGAL::Triangulation_vertex_base_3<Kernel>,
+                                                   CGAL::Delaunay_triangulation_cell_base_3<Kernel>,
+                                                   CGAL::Parallel_tag>;
+  using Parallel = CGAL::Delaunay_triangulation_3<Kernel, Tds>;
+  Parallel::Lock_data_structure locks(CGAL::bbox_3(points.begin(), points.end()), 50);
+  const Parallel fresh(points.begin(), points.end(), &locks);
+}
+
+#endif // CGAL_LINKED_WITH_TBB
 
 template <class Triangulation>
 void check(const Triangulation& dt, const Points& points)

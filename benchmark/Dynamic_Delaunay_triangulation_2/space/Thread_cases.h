@@ -17,6 +17,7 @@
 #include <tbb/task_arena.h>
 #endif
 
+#include <algorithm>
 #include <cstddef>
 #include <iostream>
 #include <random>
@@ -70,6 +71,74 @@ private:
   CGAL::Update_report_3 m_report;
   std::vector<double> m_times;
 };
+
+inline common::Table construction_table()
+{
+  return common::Table(std::cout, 24,
+                       {{"sequential", 12, 0},
+                        {"one", 9, 0},
+                        {"threads", 9, 0},
+                        {"worst", 9, 0},
+                        {"/one", 9, 2},
+                        {"/sequential", 13, 2},
+                        {"CGAL", 9, 0},
+                        {"/CGAL", 9, 2}});
+}
+
+// Times of a work of each kind, in turns.
+class Constructions
+{
+public:
+  Constructions(const Points& points, unsigned threads)
+    : m_points(points)
+    , m_one(1)
+    , m_all(threads)
+  {
+  }
+
+  void measure()
+  {
+    add(m_sequential, [&] { const Dynamic dt(m_points); });
+    add(m_by_one, [&] { m_one.execute([&] { const Parallel dt(m_points); }); });
+    add(m_by_all, [&] { m_all.execute([&] { const Parallel dt(m_points); }); });
+    add(m_by_cgal, [&] { m_all.execute([&] { insert_range_by_threads(m_points); }); });
+  }
+  void write_row(common::Table& table) const
+  {
+    table.write_row("  construction", common::median(m_sequential), common::median(m_by_one),
+                    common::median(m_by_all), common::largest(m_by_all),
+                    common::median_ratio(m_by_one, m_by_all),
+                    common::median_ratio(m_sequential, m_by_all), common::median(m_by_cgal),
+                    common::median_ratio(m_by_cgal, m_by_all));
+  }
+
+private:
+  using Parallel =
+      CGAL::Dynamic_Delaunay_triangulation_3<Kernel, CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
+  using Times = std::vector<double>;
+
+  template <class Work>
+  void add(Times& times, const Work& work)
+  {
+    times.push_back(run::nanoseconds_of(work) / double(m_points.size()));
+  }
+
+  const Points& m_points;
+  run::Threads m_one, m_all;
+  Times m_sequential, m_by_one, m_by_all, m_by_cgal;
+};
+
+inline void write_construction_by_threads(common::Table& table, std::size_t n, unsigned threads)
+{
+  std::mt19937_64 random(1);
+  Points points = points_of("poisson", n, random);
+  std::shuffle(points.begin(), points.end(), random);
+  Constructions constructions(points, threads);
+  for (int i = 0; i != 7; ++i) {
+    constructions.measure();
+  }
+  constructions.write_row(table);
+}
 
 inline common::Table thread_table()
 {
