@@ -184,14 +184,13 @@ TEST_P(Parts_of_space, tell_visitors_what_has_changed)
 INSTANTIATE_TEST_SUITE_P(steps, Parts_of_space, testing::Values(0.01, 0.05, 0.1));
 
 // Memory runs out after each of so many allocations that there is one in each phase of a frame.
-TEST(Memory_of_parts_of_space, may_run_out)
+template <class Triangulation>
+void expect_nothing_lost(const Triangulation& original, const Points& points, const Points& next)
 {
-  const Points points = random_points(600), next = shaken(points, 0.01);
-  const Dynamic original(points);
   bool has_failed = true;
   for (long allocations = 0; has_failed; allocations += 1 + allocations / 50) {
     SCOPED_TRACE(testing::Message() << allocations << " allocations");
-    Dynamic dt(original);
+    Triangulation dt(original);
     has_failed = false;
     try {
       const replaced_heap::Scarcity scarcity(allocations);
@@ -206,7 +205,18 @@ TEST(Memory_of_parts_of_space, may_run_out)
   }
 }
 
-// The cells of each part, and what a part may not have.
+TEST(Memory_of_parts_of_space, may_run_out)
+{
+  const Points points = random_points(600);
+  expect_nothing_lost(Dynamic(points), points, shaken(points, 0.01));
+}
+
+TEST(Memory_of_parts_of_space, may_run_out_in_a_rebuild)
+{
+  const Points points = random_points(600);
+  expect_nothing_lost(Backward(points), points, random_points(600, 5));
+}
+
 TEST(Division_of_space, gives_each_vertex_one_part)
 {
   using CGAL::Dynamic_Delaunay_triangulations_3::Position_3;

@@ -139,6 +139,9 @@ std::map<std::string, std::vector<CGAL::Epick::Point_3>> points_of_many_kinds()
     kinds["parabola"].emplace_back(i, i * i, i % 3 == 0 ? 1 : -i * i);
   }
   kinds["hull"].emplace_back(0.1, 0, 0);
+  auto& pairs = kinds["pairs"];
+  for (int i = 0; i < 3000; ++i)
+    pairs.push_back(i % 3 == 2 ? pairs[random() % pairs.size()] : around({0, 0, 0}, 1));
   return kinds;
 }
 

@@ -47,18 +47,16 @@ public:
   {
   }
 
-  // Inserts the vertices of a round. `covered` gets those that coincide with others, in their
-  // order, each with the one that has cells.
+  // Inserts the vertices of a round. `covered` gets those that coincide with others, in any order,
+  // each with the one that has cells.
   void insert(std::vector<Vertex_index> vertices, Covered& covered)
   {
-    const std::size_t before = covered.size();
     for (const typename Division::Numbers& numbers : divisions(vertices.size()))
       if (is_worth_threads(vertices.size()))
         vertices = insert_in_parts(Division(m_state.positions, numbers), vertices, covered);
     for (const Vertex_index v : vertices)
       if (const Vertex_index other = m_insertion.insert(v); other != null_index)
         covered.emplace_back(v, other);
-    std::sort(covered.begin() + std::ptrdiff_t(before), covered.end());
   }
 
 private:
@@ -76,11 +74,11 @@ private:
   };
   using Part_insertion = Vertex_insertion_3<State, Order_of_rounds_3, Part_region>;
 
-  // What a thread does in a part.
-  struct Work
+  // What a thread does in a part, in lines of the cache of its own.
+  struct alignas(64) Work
   {
     std::vector<Vertex_index> vertices; // to be inserted
-    Cell_index start = null_index;      // where the first walk begins
+    Cell_index start = null_index;      // where the next walk begins, if there is such a cell
     std::vector<Vertex_index> left;
     Covered covered;
   };
@@ -168,6 +166,8 @@ private:
     m_state.arrays.end_parts();
     std::vector<Vertex_index> left;
     for (const Work& work : works) {
+      if (work.start != null_index)
+        m_insertion.start_at(work.start); // where it was last, there may be no cell any more
       left.insert(left.end(), work.left.begin(), work.left.end());
       covered.insert(covered.end(), work.covered.begin(), work.covered.end());
     }
@@ -208,6 +208,7 @@ private:
         work.covered.emplace_back(v, other);
       }
     }
+    work.start = insertion.last();
   }
 
   // A cell of a region near to a vertex that could not be inserted. From the last one walks may
