@@ -46,8 +46,8 @@ to triangulate all points anew. Memory: some 260 bytes a point, from the first f
   point proves nothing for coordinates that are rounded, and exact predicates do everything.
 \tparam Options any of these, in any order:
   - `With_concurrency_2<ConcurrencyTag>`: `Sequential_tag`, the default, or `Parallel_tag`, which
-    needs TBB: threads then share the passes over all points and cells, and flips (\ref
-    SpaceThreads). Results do not depend on it.
+    needs TBB: threads then share constructions and rebuilds, the passes over all points and
+    cells, and flips (\ref SpaceThreads). Results do not depend on it.
   - `With_visitor_2<Visitor>`: is told which edges and facets come and go, such as
     `Edge_changes_visitor_3`: has the functions of `Delaunay_update_visitor_base_3`, the default,
     which costs nothing.
