@@ -42,6 +42,7 @@ public:
   {
   }
 
+  // Renumbers the cells, and drops free ones. Once for an object.
   void order()
   {
     find_smallest();
