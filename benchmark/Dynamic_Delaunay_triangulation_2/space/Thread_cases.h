@@ -72,20 +72,23 @@ private:
   std::vector<double> m_times;
 };
 
+inline std::vector<common::Column> thread_columns()
+{
+  return {{"sequential", 12, 0}, {"one", 9, 0},  {"threads", 9, 0},
+          {"worst", 9, 0},       {"/one", 9, 2}, {"/sequential", 13, 2}};
+}
+inline common::Table thread_table()
+{
+  return common::Table(std::cout, 24, thread_columns());
+}
 inline common::Table construction_table()
 {
-  return common::Table(std::cout, 24,
-                       {{"sequential", 12, 0},
-                        {"one", 9, 0},
-                        {"threads", 9, 0},
-                        {"worst", 9, 0},
-                        {"/one", 9, 2},
-                        {"/sequential", 13, 2},
-                        {"CGAL", 9, 0},
-                        {"/CGAL", 9, 2}});
+  std::vector<common::Column> columns = thread_columns();
+  columns.insert(columns.end(), {{"CGAL", 9, 0}, {"/CGAL", 9, 2}});
+  return common::Table(std::cout, 24, columns);
 }
 
-// Times of a work of each kind, in turns.
+// Constructors of each kind, in turns.
 class Constructions
 {
 public:
@@ -138,17 +141,6 @@ inline void write_construction_by_threads(common::Table& table, std::size_t n, u
     constructions.measure();
   }
   constructions.write_row(table);
-}
-
-inline common::Table thread_table()
-{
-  return common::Table(std::cout, 24,
-                       {{"sequential", 12, 0},
-                        {"one", 9, 0},
-                        {"threads", 9, 0},
-                        {"worst", 9, 0},
-                        {"/one", 9, 2},
-                        {"/sequential", 13, 2}});
 }
 
 inline void write_threads(common::Table& table, std::size_t n, double step, unsigned threads,

@@ -25,7 +25,7 @@ struct Everywhere_3
   static constexpr bool has(const Vertices_3&) { return true; }
 };
 
-// Takes the vertex that is inserted for the last one.
+// The vertex that is inserted comes after those that have cells.
 struct Order_of_insertion_3
 {
 };

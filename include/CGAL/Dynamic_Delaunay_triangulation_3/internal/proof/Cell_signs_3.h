@@ -68,7 +68,7 @@ public:
     if (const int sign = side_of_sphere(v, other))
       return sign;
     Few<Vertex_index, 5> sites{v[0], v[1], v[2], v[3], other};
-    for (int last = 4; last > 0; --last) { // ends after two steps: three are not collinear
+    for (int last = 4; last > 0; --last) { // at most twice: no three on a sphere are collinear
       std::swap(sites[last], *std::max_element(sites.begin(), sites.begin() + last + 1, precedes));
       if (sites[last] == other)
         return -1;

@@ -83,12 +83,12 @@ private:
     Covered covered;
   };
 
-  // Places of vertices that are left, so that others that coincide with them are left, too. Some
-  // other places seem to be among them.
-  class Few_places
+  // Where vertices are that are left, so that others that coincide with them are left, too. One bit
+  // stands for many places, so some vertices are left for nothing.
+  class Left_places
   {
   public:
-    explicit Few_places(std::size_t vertices)
+    explicit Left_places(std::size_t vertices)
       : m_bits(16 * vertices + 1, false)
     {
     }
@@ -196,7 +196,7 @@ private:
     }
     Part_insertion insertion(m_state, m_state.arrays, region);
     insertion.start_at(work.start);
-    Few_places places_left(work.vertices.size());
+    Left_places places_left(work.vertices.size());
     for (const Vertex_index v : work.vertices) {
       const Position_3& p = m_state.positions.position(v);
       const Vertex_index other = places_left.may_have(p) ? v : insertion.insert(v);

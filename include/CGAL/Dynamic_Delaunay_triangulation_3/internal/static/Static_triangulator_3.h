@@ -37,7 +37,7 @@ public:
   explicit Static_triangulator_3(State& state)
     : m_state(state)
     , m_insertion(state)
-    , m_parts(state, m_insertion)
+    , m_parallel_insertion(state, m_insertion)
     , m_signs(state)
   {
   }
@@ -52,19 +52,19 @@ public:
     m_state.flat_edges.clear();
     m_state.flat_triangles.clear();
     m_state.has_origin = false;
-    std::vector<Vertex_index> first = order_by_rounds(vertices);
+    Rounds_3 rounds = rounds_of(vertices);
+    std::vector<Vertex_index> first = one_after_the_other(rounds);
     m_state.spans_space = begins_with_a_cell(m_state, first);
     if (!m_state.spans_space)
       return triangulate_plane(covered);
     first.resize(4);
     m_insertion.begin({first[0], first[1], first[2], first[3]});
-    for (std::vector<Vertex_index>& round : rounds_of(vertices)) {
-      const auto is_in = [&](Vertex_index v) {
-        return std::find(first.begin(), first.end(), v) != first.end();
-      };
-      round.erase(std::remove_if(round.begin(), round.end(), is_in), round.end());
-      m_parts.insert(std::move(round), covered);
+    for (const Vertex_index v : first) {
+      std::vector<Vertex_index>& round = rounds[round_of(v)];
+      round.erase(std::lower_bound(round.begin(), round.end(), v));
     }
+    for (std::vector<Vertex_index>& round : rounds)
+      m_parallel_insertion.insert(std::move(round), covered);
     Canonical_cells_3<Parts>(m_state.arrays).order();
     choose_origin();
   }
@@ -167,7 +167,7 @@ private:
 
   State& m_state;
   typename Parallel_insertion_3<State>::Insertion m_insertion;
-  Parallel_insertion_3<State> m_parts;
+  Parallel_insertion_3<State> m_parallel_insertion;
   Cell_signs_3<State> m_signs;
 };
 

@@ -61,21 +61,26 @@ struct Order_of_rounds_3
   }
 };
 
-// Those from 1 to `vertices`. Rounds may be empty.
-inline std::array<std::vector<Vertex_index>, number_of_rounds> rounds_of(Index vertices)
+using Rounds_3 = std::array<std::vector<Vertex_index>, number_of_rounds>; // some may be empty
+
+// Those from 1 to `vertices`.
+inline Rounds_3 rounds_of(Index vertices)
 {
-  std::array<std::vector<Vertex_index>, number_of_rounds> rounds;
+  Rounds_3 rounds;
   for (Vertex_index v(1); v <= vertices; ++v)
     rounds[round_of(v)].push_back(v);
   return rounds;
 }
-inline std::vector<Vertex_index> order_by_rounds(Index vertices)
+inline std::vector<Vertex_index> one_after_the_other(const Rounds_3& rounds)
 {
   std::vector<Vertex_index> order;
-  order.reserve(vertices);
-  for (const std::vector<Vertex_index>& round : rounds_of(vertices))
+  for (const std::vector<Vertex_index>& round : rounds)
     order.insert(order.end(), round.begin(), round.end());
   return order;
+}
+inline std::vector<Vertex_index> order_by_rounds(Index vertices)
+{
+  return one_after_the_other(rounds_of(vertices));
 }
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
