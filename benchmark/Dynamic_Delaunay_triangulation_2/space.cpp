@@ -15,13 +15,14 @@
 // frame, and as many come, anywhere: an update of Dynamic_population_3. There, `sorted` knows an
 // order of those that stay, and sorts the others while the clock runs.
 //
-// `threads` are wall-clock times of Poisson clouds: of a triangulation with the Sequential_tag, and
-// of two with the Parallel_tag, in one thread and in all that the machine has, or in as many as
-// asked for. Each follows bursts of frames in turn; the first frame of a burst does not count.
-// `worst` is the slowest update of all threads, `/one` the median of the ratios of the second time
-// to the third, `/sequential` of the first to the third. All have to do the same flips. `anew` are
-// constructors in the same ways, beside CGAL's parallel insertion of the range by as many threads,
-// all in turns.
+// `threads` are wall-clock times of Poisson clouds, in open space and in a cube that is repeated in
+// all directions: of a triangulation with the Sequential_tag, and of two with the Parallel_tag, in
+// one thread and in all that the machine has, or in as many as asked for. Each follows bursts of
+// frames in turn; the first frame of a burst does not count. `worst` is the slowest update of all
+// threads, `/one` the median of the ratios of the second time to the third, `/sequential` of the
+// first to the third. All have to do the same flips. `anew` are constructors in the same ways,
+// beside CGAL's parallel insertion of the range by as many threads, or its periodic insertion,
+// which one thread does, all in turns.
 //
 // `periodic` are Poisson clouds in a cell that is repeated in all directions, a cube or
 // `triclinic`: the update, that of as many points in open space, and CGAL's insertion of the points
@@ -167,11 +168,17 @@ void write_threads(const Options& options, std::size_t n)
   const std::string title = std::to_string(n) + " points, " + std::to_string(threads) + " threads";
   common::Table anew = space::construction_table();
   anew.write_head(title + ", anew");
-  space::write_construction_by_threads(anew, n, threads);
+  space::write_construction_by_threads<space::In_open_space>(anew, "poisson", n, threads);
+  space::write_construction_by_threads<space::In_periodic_space>(anew, "periodic", n, threads);
   common::Table table = space::thread_table();
   table.write_head(title);
   for (const double step : options.steps) {
-    space::write_threads(table, n, step, threads, options.frames_of(n));
+    space::write_threads<space::In_open_space>(table, "poisson", n, step, threads,
+                                               options.frames_of(n));
+  }
+  for (const double step : options.steps) {
+    space::write_threads<space::In_periodic_space>(table, "periodic", n, step, threads,
+                                                   options.frames_of(n));
   }
 }
 

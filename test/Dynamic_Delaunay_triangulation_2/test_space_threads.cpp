@@ -21,6 +21,8 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -337,6 +339,67 @@ TEST_F(Threads_in_periodic_space, change_nothing_but_the_time)
     ASSERT_EQ(checkpoint_of(alone), checkpoint_of(together));
     with_threads([&] { EXPECT_TRUE(together.certify()); });
   }
+}
+
+// Points of many kinds in fractions of a cell: cells in ties, crowds, layers, walls, points that
+// coincide by the dozen, also as images of each other, and so few that their images are neighbors.
+std::map<std::string, std::vector<std::array<double, 3>>> fractions_of_many_kinds()
+{
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> anywhere(0, 1);
+  std::normal_distribution<double> normal;
+  const auto random_place = [&] {
+    const double x = anywhere(random), y = anywhere(random);
+    return std::array<double, 3>{x, y, anywhere(random)};
+  };
+  std::map<std::string, std::vector<std::array<double, 3>>> kinds;
+  for (const int number : {1, 2, 3, 5, 8, 20, 100, 2000})
+    for (int i = 0; i < number; ++i)
+      kinds["random " + std::to_string(number)].push_back(random_place());
+  auto& copies = kinds["copies"];
+  for (int i = 0; i < 2000; ++i)
+    copies.push_back(i > 8 && i % 4 != 0 ? copies[random() % copies.size()] : random_place());
+  for (int i = 0; i < 1000; ++i) {
+    const auto [x, y, z] = random_place();
+    kinds["lattice"].push_back({i % 10 / 10.0, i / 10 % 10 / 10.0, i / 100 / 10.0});
+    kinds["images"].push_back({i % 8 / 8.0 + double(random() % 3), i / 8 % 8 / 8.0, i / 64 / 8.0});
+    kinds["layers"].push_back({x, y, std::rint(3 * z) / 4});
+    kinds["crowd"].push_back({0.5 + 0.01 * normal(random), 0.3 + 0.01 * normal(random), z});
+    kinds["few planes"].push_back(
+        {std::rint(8 * x) / 8 + 1e-15 * (i % 3), std::rint(8 * y) / 8, z});
+  }
+  return kinds;
+}
+
+TEST_F(Threads_in_periodic_space, construct_the_same)
+{
+  const CGAL::Periodic_cell_3 cells[] = {{1, 1, 1},
+                                         {1, 2, 0.7},
+                                         {{0.3, 0, 0}, {0.09, 0.3, 0}, {0.06, 0.12, 0.36}},
+                                         {{1, 0, 0}, {0.4, 1.1, 0}},
+                                         CGAL::Periodic_cell_3{std::array<double, 3>{0, 0, 1}}};
+  for (const auto& [kind, fractions] : fractions_of_many_kinds())
+    for (const CGAL::Periodic_cell_3& cell : cells) {
+      SCOPED_TRACE(kind + ", " + std::to_string(&cell - cells));
+      const std::size_t most = cell.is_wire() ? 200 : cell.is_slab() ? 1000 : fractions.size();
+      std::vector<Point> points;
+      for (std::size_t i = 0; i < (std::min)(most, fractions.size()); ++i) {
+        const auto along = [&, &f = fractions[i]](std::size_t axis) {
+          return f[0] * cell.vector(0)[axis] + f[1] * cell.vector(1)[axis] +
+                 f[2] * cell.vector(2)[axis];
+        };
+        points.emplace_back(along(0), along(1), along(2));
+      }
+      const Sequential alone(points.begin(), points.end(), cell);
+      EXPECT_TRUE(alone.is_certified());
+      if (points.size() <= 200)
+        EXPECT_TRUE(alone.is_valid());
+      for (const int threads : {1, 2, 3, 8})
+        with_threads(threads, [&, &cell = cell] {
+          const Parallel together(points.begin(), points.end(), cell);
+          EXPECT_TRUE(checkpoint_of(alone) == checkpoint_of(together)) << threads << " threads";
+        });
+    }
 }
 
 // Rough frames, in a cube and in a slab.

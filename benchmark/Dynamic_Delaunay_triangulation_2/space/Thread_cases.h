@@ -6,6 +6,7 @@
 
 #include "../common/Statistics.h"
 #include "../common/Table.h"
+#include "Periodic_cases.h"
 #include "scenario_runner/Measurement.h"
 #include "scenario_runner/Threads.h"
 #include "Space_points.h"
@@ -18,6 +19,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <iostream>
 #include <random>
@@ -35,15 +37,56 @@ inline unsigned most_threads()
   return unsigned(tbb::this_task_arena::max_concurrency());
 }
 
+// Points in open space.
+struct In_open_space
+{
+  template <class Concurrency_tag>
+  using Triangulation =
+      CGAL::Dynamic_Delaunay_triangulation_3<Kernel, CGAL::With_concurrency_2<Concurrency_tag>>;
+
+  template <class Concurrency_tag>
+  static Triangulation<Concurrency_tag> triangulated(const Points& points)
+  {
+    return Triangulation<Concurrency_tag>(points);
+  }
+  static void insert_by_cgal(const Points& points) { insert_range_by_threads(points); }
+  static bool is_right(const Triangulation<CGAL::Parallel_tag>& dt, const Points& points)
+  {
+    check(dt, points);
+    return true;
+  }
+};
+
+// In a cube that is repeated in all directions. CGAL inserts there by one thread.
+struct In_periodic_space
+{
+  template <class Concurrency_tag>
+  using Triangulation =
+      CGAL::Dynamic_periodic_Delaunay_triangulation_3<Kernel,
+                                                      CGAL::With_concurrency_2<Concurrency_tag>>;
+
+  static double edge(const Points& points) { return std::cbrt(double(points.size())); }
+  template <class Concurrency_tag>
+  static Triangulation<Concurrency_tag> triangulated(const Points& points)
+  {
+    return Triangulation<Concurrency_tag>(points, cell_of("cube", edge(points)));
+  }
+  static void insert_by_cgal(const Points& points) { insert_periodic(points, edge(points)); }
+  static bool is_right(const Triangulation<CGAL::Parallel_tag>& dt, const Points& points)
+  {
+    return dt.is_valid(true) && dt.number_of_vertices() == points.size();
+  }
+};
+
 // The same frames for one triangulation, in bursts: one update right after the other, as in a
 // program that does nothing else.
-template <class Concurrency_tag>
+template <class Space, class Concurrency_tag>
 class Followed_burst
 {
 public:
   Followed_burst(const Points& points, unsigned threads)
     : m_threads(threads)
-    , m_dynamic(m_threads.execute([&] { return Triangulation(points); }))
+    , m_dynamic(m_threads.execute([&] { return Space::template triangulated<Tag>(points); }))
   {
   }
 
@@ -63,11 +106,10 @@ public:
   const auto& triangulation() const { return m_dynamic; }
 
 private:
-  using Triangulation =
-      CGAL::Dynamic_Delaunay_triangulation_3<Kernel, CGAL::With_concurrency_2<Concurrency_tag>>;
+  using Tag = Concurrency_tag;
 
   run::Threads m_threads;
-  Triangulation m_dynamic;
+  typename Space::template Triangulation<Tag> m_dynamic;
   CGAL::Update_report_3 m_report;
   std::vector<double> m_times;
 };
@@ -89,6 +131,7 @@ inline common::Table construction_table()
 }
 
 // Constructors of each kind, in turns.
+template <class Space>
 class Constructions
 {
 public:
@@ -101,14 +144,17 @@ public:
 
   void measure()
   {
-    add(m_sequential, [&] { const Dynamic dt(m_points); });
-    add(m_by_one, [&] { m_one.execute([&] { const Parallel dt(m_points); }); });
-    add(m_by_all, [&] { m_all.execute([&] { const Parallel dt(m_points); }); });
-    add(m_by_cgal, [&] { m_all.execute([&] { insert_range_by_threads(m_points); }); });
+    using CGAL::Parallel_tag;
+    add(m_sequential, [&] { Space::template triangulated<CGAL::Sequential_tag>(m_points); });
+    add(m_by_one,
+        [&] { m_one.execute([&] { Space::template triangulated<Parallel_tag>(m_points); }); });
+    add(m_by_all,
+        [&] { m_all.execute([&] { Space::template triangulated<Parallel_tag>(m_points); }); });
+    add(m_by_cgal, [&] { m_all.execute([&] { Space::insert_by_cgal(m_points); }); });
   }
-  void write_row(common::Table& table) const
+  void write_row(common::Table& table, const std::string& kind) const
   {
-    table.write_row("  construction", common::median(m_sequential), common::median(m_by_one),
+    table.write_row("  " + kind, common::median(m_sequential), common::median(m_by_one),
                     common::median(m_by_all), common::largest(m_by_all),
                     common::median_ratio(m_by_one, m_by_all),
                     common::median_ratio(m_sequential, m_by_all), common::median(m_by_cgal),
@@ -116,8 +162,6 @@ public:
   }
 
 private:
-  using Parallel =
-      CGAL::Dynamic_Delaunay_triangulation_3<Kernel, CGAL::With_concurrency_2<CGAL::Parallel_tag>>;
   using Times = std::vector<double>;
 
   template <class Work>
@@ -131,26 +175,29 @@ private:
   Times m_sequential, m_by_one, m_by_all, m_by_cgal;
 };
 
-inline void write_construction_by_threads(common::Table& table, std::size_t n, unsigned threads)
+template <class Space>
+void write_construction_by_threads(common::Table& table, const std::string& kind, std::size_t n,
+                                   unsigned threads)
 {
   std::mt19937_64 random(1);
   Points points = points_of("poisson", n, random);
   std::shuffle(points.begin(), points.end(), random);
-  Constructions constructions(points, threads);
+  Constructions<Space> constructions(points, threads);
   for (int i = 0; i != 7; ++i) {
     constructions.measure();
   }
-  constructions.write_row(table);
+  constructions.write_row(table, kind);
 }
 
-inline void write_threads(common::Table& table, std::size_t n, double step, unsigned threads,
-                          int frames)
+template <class Space>
+void write_threads(common::Table& table, const std::string& kind, std::size_t n, double step,
+                   unsigned threads, int frames)
 {
   constexpr std::size_t burst = 5;
   std::mt19937_64 random(1);
   Points points = points_of("poisson", n, random);
-  Followed_burst<CGAL::Sequential_tag> sequential(points, 1);
-  Followed_burst<CGAL::Parallel_tag> one(points, 1), all(points, threads);
+  Followed_burst<Space, CGAL::Sequential_tag> sequential(points, 1);
+  Followed_burst<Space, CGAL::Parallel_tag> one(points, 1), all(points, threads);
   for (int frame = 0; frame < frames; frame += int(burst) - 1) {
     std::vector<Points> next;
     for (std::size_t i = 0; i != burst; ++i) {
@@ -166,8 +213,10 @@ inline void write_threads(common::Table& table, std::size_t n, double step, unsi
       throw std::runtime_error("threads have done something else");
     }
   }
-  check(all.triangulation(), points);
-  table.write_row("  poisson " + common::cell(step, 4), common::median(sequential.times()),
+  if (!Space::is_right(all.triangulation(), points)) {
+    throw std::runtime_error("a triangulation by threads is wrong");
+  }
+  table.write_row("  " + kind + ' ' + common::cell(step, 4), common::median(sequential.times()),
                   common::median(one.times()), common::median(all.times()),
                   common::largest(all.times()), common::median_ratio(one.times(), all.times()),
                   common::median_ratio(sequential.times(), all.times()));

@@ -47,8 +47,8 @@ class Vertex_insertion_3
   using Arrays = Tetrahedra_arrays_3;
 
 public:
-  explicit Vertex_insertion_3(State& state)
-    : Vertex_insertion_3(state, state.arrays)
+  explicit Vertex_insertion_3(State& state, const Region& region = Region())
+    : Vertex_insertion_3(state, state.arrays, region)
   {
   }
   Vertex_insertion_3(const State& state, Arrays& arrays, const Region& region = Region())
@@ -186,7 +186,12 @@ private:
           continue;
         const Corner_index entry = m_arrays.mirror(k);
         const Index kind =
-            m_tested.kind_of(Arrays::cell_of(entry), [&] { return kind_beyond(entry, v); });
+            m_tested
+                .find_or_insert(Arrays::cell_of(entry),
+                                [&] {
+                                  return Cell_set_3::Noted{kind_beyond(entry, v), {}};
+                                })
+                .kind;
         if (kind == out_of_region)
           return false;
         if (kind == bordering)

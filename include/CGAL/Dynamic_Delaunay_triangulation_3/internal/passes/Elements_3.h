@@ -63,6 +63,12 @@ struct Few
   }
 };
 
+template <class T>
+Few<T, 4> permuted(const Few<T, 4>& few, const Few<std::uint8_t, 4>& places)
+{
+  return {few[places[0]], few[places[1]], few[places[2]], few[places[3]]};
+}
+
 using Vertices_3 = Few<Vertex_index, 4>;
 
 // The places of a cell but one, in an order which is an even permutation after that place: so seen

@@ -12,8 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
-#include <utility>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
@@ -21,17 +20,38 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // A cell of a torus, in one line of a cache.
 struct alignas(64) Torus_cell_3
 {
+  using Site = Torus_site_3;
   using Sites = Torus_sites_3;
   static constexpr bool may_repeat_vertices = true;
+
+  Site site(int place) const { return {vertices[place], shifts[place]}; }
 
   Sites sites() const
   {
     Sites sites;
     for (int i = 0; i < 4; ++i)
-      sites[i] = {vertices[i], shifts[i]};
+      sites[i] = site(i);
     return sites;
   }
   static bool is_free(const Sites& sites) { return sites[0].vertex == null_index; }
+  // With its sites in another order, in the chart in which the first one, a finite one, has the
+  // shift 0.
+  Torus_cell_3 turned(const Few<std::uint8_t, 4>& places) const
+  {
+    Torus_cell_3 cell{permuted(vertices, places), permuted(mirrors, places),
+                      permuted(shifts, places), permuted(beyond, places)};
+    cell.move_chart(-cell.shifts[0]);
+    return cell;
+  }
+  // Adds a translation to all but the point at infinity.
+  void move_chart(Torus_shift_3 translation)
+  {
+    for (int i = 0; i < 4; ++i) {
+      if (vertices[i] != infinite_index)
+        shifts[i] = shifts[i] + translation;
+      beyond[i] = beyond[i] + translation;
+    }
+  }
   void exchange(Torus_cell_3& other)
   {
     exchange_what_differs(vertices, other.vertices);
@@ -82,11 +102,7 @@ public:
   }
 
   // In the chart of the corner's cell.
-  Torus_site_3 site(Corner_index k) const
-  {
-    const Cell& cell = m_cells[cell_of(k)];
-    return {cell.vertices[place_of(k)], cell.shifts[place_of(k)]};
-  }
+  Torus_site_3 site(Corner_index k) const { return m_cells[cell_of(k)].site(place_of(k)); }
   Torus_site_3 apex_site(Corner_index k) const
   {
     const Torus_site_3 there = site(mirror(k));
@@ -214,34 +230,46 @@ public:
     return {{first, second, null_index}, 2, new_corners(outer)};
   }
 
-  // Takes cells in the order of their smallest finite vertices: a pass over them then reads
-  // positions in order.
-  void sort_cells()
+  // A cell of a ball that is replaced, or the corner opposite to a facet of its border; and the
+  // shift that the site in the middle of the star has in the chart of the cell.
+  struct Shifted_cell
   {
-    const auto key = [this](Cell_index c) {
-      Index smallest = null_index;
-      for (const Vertex_index v : vertices(c))
-        if (v != infinite_index)
-          smallest = (std::min)(smallest, Index(v));
-      return std::size_t(smallest);
-    };
-    std::vector<Index> next(m_corners.size() + 1, 0);
-    for (Cell_index c(0); c < number_of_cells(); ++c)
-      ++next[key(c) + 1];
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    Column<Cell_index, Cell_index> number(m_cells.size(), Cell_index(0));
-    for (Cell_index c(0); c < number_of_cells(); ++c)
-      number[c] = Cell_index(next[key(c)]++);
-    Column<Cell_index, Cell> cells(m_cells.size());
-    for (Cell_index c(0); c < number_of_cells(); ++c) {
-      Cell& cell = cells[number[c]] = m_cells[c];
-      for (Corner_index& k : cell.mirrors)
-        k = corner(number[cell_of(k)], place_of(k));
+    Cell_index cell;
+    Torus_shift_3 shift;
+  };
+  struct Shifted_corner
+  {
+    Corner_index corner;
+    Torus_shift_3 shift;
+  };
+
+  // Replaces cells, which form a ball without sites inside, no two of them images of each other, by
+  // cells over its border that have an image of the vertex v in common. What is beyond the border
+  // stays. Returns a new cell. `star` is memory that is used anew each time; parts have one each.
+  Cell_index replace_by_star(const std::vector<Shifted_cell>& ball,
+                             const std::vector<Shifted_corner>& border, Vertex_index v,
+                             std::vector<Star_cell>& star, std::size_t part = whole)
+  {
+    star.clear();
+    bool is_table_ours = true;
+    for (std::size_t n = 0; n < border.size(); ++n) {
+      const auto [k, shift] = border[n];
+      Star_cell made{n < ball.size() ? ball[n].cell : make_cell(part), place_of(k),
+                     m_cells[cell_of(k)]};
+      move_to_chart_of_star(made, v, shift);
+      is_table_ours = is_table_ours && (part == whole || !has_infinite(made.cell.vertices));
+      star.push_back(made);
     }
-    m_cells.swap(cells);
-    for (Corner_index& k : m_corners)
-      if (k != null_index)
-        k = corner(number[cell_of(k)], place_of(k));
+    for (std::size_t n = border.size(); n < ball.size(); ++n)
+      drop_cell(ball[n].cell, part);
+    connect_star(star, is_table_ours);
+    for (const Star_cell& made : star)
+      write(made, part);
+    for (const Star_cell& made : star)
+      connect_written(made, part);
+    for (const Star_cell& made : star)
+      normalize(made.number, part);
+    return star.back().number;
   }
 
   // A facet between cells that are replaced and others, or images of themselves: the corner
@@ -291,17 +319,14 @@ public:
       return;
     record(c, part);
     Cell& cell = m_cells[c];
-    for (int i = 0; i < 4; ++i) {
-      cell.beyond[i] = cell.beyond[i] - shift;
-      if (cell.vertices[i] != infinite_index) {
-        cell.shifts[i] = cell.shifts[i] - shift;
-        continue;
+    cell.move_chart(-shift);
+    for (int i = 0; i < 4; ++i)
+      if (cell.vertices[i] == infinite_index) {
+        const Corner_index l = cell.mirrors[i];
+        record(cell_of(l), part);
+        Torus_shift_3& beyond = m_cells[cell_of(l)].beyond[place_of(l)];
+        beyond = beyond + shift;
       }
-      const Corner_index l = cell.mirrors[i];
-      record(cell_of(l), part);
-      Torus_shift_3& beyond = m_cells[cell_of(l)].beyond[place_of(l)];
-      beyond = beyond + shift;
-    }
   }
 
   // Adds shifts to the images of all vertices; that of the infinite one must be 0.
@@ -317,6 +342,28 @@ public:
   }
 
 private:
+  // That in which the site in the middle has no shift.
+  static void move_to_chart_of_star(Star_cell& made, Vertex_index v, Torus_shift_3 shift)
+  {
+    Cell& cell = made.cell;
+    cell.move_chart(-shift);
+    cell.vertices[made.tip] = v;
+    cell.shifts[made.tip] = {};
+  }
+  // Connects a cell of a star, all in one chart, with what is beyond the border; and takes over
+  // what is beyond its other facets.
+  void connect_written(const Star_cell& made, std::size_t part)
+  {
+    for (const std::uint8_t place : other_places[made.tip]) {
+      const Corner_index l = made.cell.mirrors[place];
+      m_cells[made.number].beyond[place] = m_cells[cell_of(l)].shifts[place_of(l)];
+    }
+    const Corner_index outer = made.cell.mirrors[made.tip];
+    const Torus_shift_3 translation =
+        made.cell.beyond[made.tip] - m_cells[cell_of(outer)].shifts[place_of(outer)];
+    connect(corner(made.number, made.tip), outer, translation, part);
+  }
+
   void set_mirror(Corner_index k, Corner_index l, Torus_shift_3 translation)
   {
     Cell& cell = m_cells[cell_of(k)];

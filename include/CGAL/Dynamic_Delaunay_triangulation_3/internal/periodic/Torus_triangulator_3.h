@@ -12,7 +12,9 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/wires/Wire_axis_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/wires/Wire_outside_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/periodic/wires/Wire_planes_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Parallel_insertion_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Vertex_order_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Canonical_cells_3.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +54,7 @@ template <class State>
 class Torus_triangulator_3
 {
   using Arrays = Torus_cells_3;
-  using Insertion = Torus_insertion_3<State>;
+  using Parts = typename State::Exact_parts;
 
 public:
   using Covered = std::vector<std::pair<Vertex_index, Vertex_index>>;
@@ -61,6 +63,7 @@ public:
     : m_state(state)
     , m_signs(state)
     , m_insertion(state)
+    , m_parallel_insertion(state, m_insertion)
   {
   }
 
@@ -96,12 +99,14 @@ public:
       if (is_second_try)
         bring_left_to_front(order);
     }
-    m_state.arrays.close_gaps();
-    m_state.arrays.sort_cells();
+    let_first_ones_have_cells(covered);
+    Canonical_cells_3<Arrays, Parts>(m_state.arrays).order();
   }
 
 private:
-  static constexpr std::size_t few = 100; // vertices
+  // Vertices. With 100 constructions take 1.2 times as long for 10,000 random points, 2.0 times for
+  // 1,000, and 3.7 times for 200.
+  static constexpr std::size_t few = 24;
   static constexpr double spacings = 2.5; // as margin of random points
   static constexpr double enough = 1.25;  // of a cell's size, as margin of few points
   static constexpr std::size_t most_images = std::size_t(1) << 26;
@@ -160,23 +165,54 @@ private:
   // cells are still large, are tried again when all others are there. False if some remain.
   bool insert_from(const std::vector<Vertex_index>& order, std::size_t first, Covered& covered)
   {
-    m_left.assign(order.begin() + std::ptrdiff_t((std::min)(first, order.size())), order.end());
-    if (m_left.empty())
-      return true;
+    m_left.clear();
     m_insertion.start_at(Arrays::cell_of(m_state.arrays.corner_of(m_seeds.front())));
+    for (std::size_t beyond = first; first < order.size(); first = beyond) {
+      std::vector<Vertex_index> round;
+      for (; beyond < order.size() && round_of(order[beyond]) == round_of(order[first]); ++beyond)
+        round.push_back(order[beyond]);
+      const std::vector<Vertex_index> left = m_parallel_insertion.insert(std::move(round), covered);
+      m_left.insert(m_left.end(), left.begin(), left.end());
+    }
     for (std::size_t before = m_left.size() + 1; m_left.size() < before;) {
       before = m_left.size();
-      std::size_t kept = 0;
-      for (const Vertex_index v : m_left) {
-        const std::optional<Vertex_index> other = m_insertion.insert(v);
-        if (!other)
-          m_left[kept++] = v;
-        else if (*other != null_index)
-          covered.emplace_back(v, *other);
-      }
-      m_left.resize(kept);
+      m_left = m_parallel_insertion.insert(std::move(m_left), covered);
     }
     return m_left.empty();
+  }
+
+  // Of vertices that coincide, the first one in the order of rounds gets the cells, whichever has
+  // got them: so that nothing depends on threads.
+  void let_first_ones_have_cells(Covered& covered)
+  {
+    std::map<Vertex_index, Vertex_index> first; // of those that coincide with one that has cells
+    for (const auto& [v, other] : covered)
+      if (Vertex_index& known = first.emplace(other, other).first->second;
+          Order_of_rounds_3()(v, known))
+        known = v;
+    const Torus_3& torus = m_state.torus;
+    const auto& positions = m_state.positions;
+    Column<Vertex_index, Torus_shift_3> shifts(positions.number(), Torus_shift_3());
+    Column<Vertex_index, Vertex_index> numbers(positions.number(), infinite_index);
+    for (Vertex_index v(1); v < numbers.size(); ++v)
+      numbers[v] = v;
+    bool are_others = false;
+    for (const auto& [v, known] : first) {
+      const Position_3 way = positions.position(v) - positions.position(known);
+      shifts[v] = Torus_shift_3::of(Torus_3::nearest(torus.fractions(way)));
+      numbers[v] = known;
+      are_others = are_others || v != known;
+    }
+    if (!are_others)
+      return;
+    m_state.arrays.close_gaps();
+    m_state.arrays.shift_vertices(shifts);
+    m_state.arrays.renumber_all(numbers, positions.number());
+    for (auto& [v, other] : covered) {
+      const Vertex_index known = first[other];
+      v = v == known ? other : v;
+      other = known;
+    }
   }
 
   // Triangulates the first so many vertices. Those that coincide are left out in a second attempt.
@@ -394,7 +430,8 @@ private:
 
   State& m_state;
   Torus_signs_3<State> m_signs;
-  Insertion m_insertion;
+  Torus_insertion_3<State> m_insertion;
+  Parallel_insertion_3<State, Torus_insertion_3> m_parallel_insertion;
   std::vector<Vertex_index> m_seeds;
   std::vector<Vertex_index> m_left; // could not be inserted
   std::vector<Torus_site_3> m_images;

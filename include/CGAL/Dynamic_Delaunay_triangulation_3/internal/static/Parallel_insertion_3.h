@@ -20,16 +20,22 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// Inserts lists of vertices into the cells of a state, by threads.
+// What threads do in open space.
+template <class State, class Region = Everywhere_3>
+using Insertion_in_rounds_3 = Vertex_insertion_3<State, Order_of_rounds_3, Region>;
+
+// Inserts lists of vertices into the cells of a state, by threads, each by an insertion in a
+// region.
 //
 // Space is divided into about as many parts as there are threads. Each thread inserts the vertices
 // of a part whose cells in conflict have all their vertices there. Those that are left, along the
 // borders, are then inserted in parts with other borders, and what is left of them by one thread.
 //
-// All the same the cells are those of insertion one after the other, in the order of rounds: ties
-// are decided so, and of points that coincide the first one gets cells. Only the numbers of cells
-// depend on threads.
-template <class State>
+// In open space the cells are those of insertion one after the other, in the order of rounds: ties
+// are decided so, and of points that coincide the first one gets cells. On a torus no tie depends
+// on an order, but of points that coincide any one may get cells. Only the numbers of cells depend
+// on threads, too.
+template <class State, template <class, class> class Insertion_in_region = Insertion_in_rounds_3>
 class Parallel_insertion_3
 {
   using Parts = typename State::Exact_parts;
@@ -39,7 +45,7 @@ class Parallel_insertion_3
 public:
   using Covered = std::vector<std::pair<Vertex_index, Vertex_index>>;
   // By one thread.
-  using Insertion = Vertex_insertion_3<State, Order_of_rounds_3>;
+  using Insertion = Insertion_in_region<State, Everywhere_3>;
 
   Parallel_insertion_3(State& state, Insertion& insertion)
     : m_state(state)
@@ -48,15 +54,22 @@ public:
   }
 
   // Inserts the vertices of a round. `covered` gets those that coincide with others, in any order,
-  // each with the one that has cells.
-  void insert(std::vector<Vertex_index> vertices, Covered& covered)
+  // each with the one that has cells. Returns those that cannot be inserted, as happens on a torus
+  // alone.
+  std::vector<Vertex_index> insert(std::vector<Vertex_index> vertices, Covered& covered)
   {
     for (const typename Division::Numbers& numbers : divisions(vertices.size()))
       if (is_worth_threads(vertices.size()))
         vertices = insert_in_parts(Division(m_state.positions, numbers), vertices, covered);
-    for (const Vertex_index v : vertices)
-      if (const Vertex_index other = m_insertion.insert(v); other != null_index)
+    std::vector<Vertex_index> left;
+    for (const Vertex_index v : vertices) {
+      const Vertex_index other = m_insertion.insert(v);
+      if (other == v)
+        left.push_back(v);
+      else if (other != null_index)
         covered.emplace_back(v, other);
+    }
+    return left;
   }
 
 private:
@@ -72,7 +85,7 @@ private:
     const Division* division;
     std::size_t part;
   };
-  using Part_insertion = Vertex_insertion_3<State, Order_of_rounds_3, Part_region>;
+  using Part_insertion = Insertion_in_region<State, Part_region>;
 
   // What a thread does in a part, in lines of the cache of its own.
   struct alignas(64) Work
@@ -194,7 +207,7 @@ private:
       work.left.swap(work.vertices);
       return;
     }
-    Part_insertion insertion(m_state, m_state.arrays, region);
+    Part_insertion insertion(m_state, region);
     insertion.start_at(work.start);
     Left_places places_left(work.vertices.size());
     for (const Vertex_index v : work.vertices) {

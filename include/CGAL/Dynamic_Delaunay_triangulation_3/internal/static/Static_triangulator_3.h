@@ -65,7 +65,7 @@ public:
     }
     for (std::vector<Vertex_index>& round : rounds)
       m_parallel_insertion.insert(std::move(round), covered);
-    Canonical_cells_3<Parts>(m_state.arrays).order();
+    Canonical_cells_3<Arrays, Parts>(m_state.arrays).order();
     choose_origin();
   }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_history_3.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_star_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Safe_cells_3.h>
 
 #include <algorithm>
@@ -28,12 +29,13 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //
 // This is what open space and a torus have in common: numbers of cells, walks, gaps, and
 // transactions. A `Cell` has `vertices`, `mirrors`, `sites()` and `exchange()`, which writes only
-// what differs from another cell, and whatever else the space needs.
+// what differs from another cell, what `Cell_star_3` asks for, and whatever else the space needs.
 template <class Cell_of_space>
 class Cell_arrays_3
 {
 public:
   using Cell = Cell_of_space;
+  using Star_cell = Star_cell_3<Cell>;
 
   // Cells that a flip has made, and their corners opposite to the facets around them: equally many
   // of each cell, in the order of the cells.
@@ -158,6 +160,15 @@ public:
         v = numbers[v];
         m_corners[v] = corner(c, i);
       }
+  }
+
+  // Replaces all cells by the same ones with other numbers, and with their vertices in another
+  // order; of each vertex a corner is given.
+  void replace_all(Column<Cell_index, Cell>& cells, Column<Vertex_index, Corner_index>& corners)
+  {
+    clear_cells();
+    m_cells.swap(cells);
+    m_corners.swap(corners);
   }
 
   // TRANSACTIONS ----------------------------------------------------------------------------------
@@ -342,6 +353,23 @@ protected:
   {
     if (Log& mine = log(part); mine.is_recording)
       mine.record.emplace_back(c, m_cells[c]);
+  }
+
+  // Of a star that is to be written. Where the table is not ours, as the infinite vertex is not in
+  // a part, nothing is changed at vertices.
+  void connect_star(std::vector<Star_cell>& star, bool is_table_ours)
+  {
+    Cell_star_3<Cell> cells(star);
+    if (!is_table_ours || !cells.connect_by_table(m_corners))
+      cells.connect_by_sorting();
+  }
+  void write(const Star_cell& made, std::size_t part)
+  {
+    record(made.number, part);
+    note(made.number, part);
+    m_cells[made.number] = made.cell;
+    for (int i = 0; i < 4; ++i)
+      note_corner(corner(made.number, i), part);
   }
 
   Column<Cell_index, Cell> m_cells;

@@ -17,13 +17,21 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// A set of few cells, such as a star, in a small table with open addressing. Each thread can have
-// one, where marks of all cells would take too much memory; and it stays in the cache. All are
-// forgotten in constant time.
-class Cell_set_3
+// A set of few cells, such as a star, with a note on each, in a small table with open addressing.
+// Each thread can have one, where marks of all cells would take too much memory; and it stays in
+// the cache. All are forgotten in constant time.
+template <class Note>
+class Noted_cells_3
 {
 public:
-  Cell_set_3()
+  // One of some kinds, from 0 to 3, and the note.
+  struct Noted
+  {
+    Index kind;
+    Note note;
+  };
+
+  Noted_cells_3()
     : m_entries(std::size_t(1) << first_bits)
   {
   }
@@ -44,26 +52,29 @@ public:
     const std::size_t i = find(c);
     if (is_present(m_entries[i]))
       return false;
-    put(i, c, 0);
+    put(i, c, {0, Note()});
     return true;
   }
-  // Of a cell that is not in it, and its kind, from 0 to 3.
-  void insert(Cell_index c, Index kind) { put(find(c), c, kind); }
+  // Of a cell that is not in it.
+  void insert(Cell_index c, Index kind, const Note& note = Note())
+  {
+    put(find(c), c, {kind, note});
+  }
 
-  // The kind of a cell, which is new_kind() if it was not in it before.
-  template <class Kind>
-  Index kind_of(Cell_index c, const Kind& new_kind)
+  // What is noted of a cell, which is new_one() if it was not in it before.
+  template <class New>
+  Noted find_or_insert(Cell_index c, const New& new_one)
   {
     const std::size_t i = find(c);
     if (is_present(m_entries[i]))
-      return m_entries[i].age - m_age;
-    const Index kind = new_kind();
-    put(i, c, kind);
-    return kind;
+      return {m_entries[i].age - m_age, m_entries[i]};
+    const Noted noted = new_one();
+    put(i, c, noted);
+    return noted;
   }
 
 private:
-  struct Entry
+  struct Entry : Note // nothing takes no memory
   {
     Cell_index cell{0};
     std::uint32_t age = 0;
@@ -71,9 +82,9 @@ private:
 
   bool is_present(const Entry& entry) const { return entry.age >= m_age; }
 
-  void put(std::size_t i, Cell_index c, Index kind)
+  void put(std::size_t i, Cell_index c, const Noted& noted)
   {
-    m_entries[i] = {c, m_age + kind};
+    m_entries[i] = {noted.note, c, m_age + noted.kind};
     ++m_size;
     if (2 * m_size > m_entries.size())
       grow();
@@ -98,7 +109,7 @@ private:
     m_size = 0;
     for (const Entry& entry : entries)
       if (is_present(entry))
-        insert(entry.cell, entry.age - m_age);
+        insert(entry.cell, entry.age - m_age, entry);
   }
 
   static constexpr Index kinds = 4;
@@ -109,6 +120,11 @@ private:
   std::size_t m_size = 0;
   std::uint32_t m_age = kinds; // a multiple; that of an entry is larger by its kind
 };
+
+struct No_note_3
+{
+};
+using Cell_set_3 = Noted_cells_3<No_note_3>;
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal
 

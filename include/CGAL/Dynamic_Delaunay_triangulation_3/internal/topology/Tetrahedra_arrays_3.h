@@ -9,9 +9,8 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/topology/Cell_arrays_3.h>
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
@@ -19,11 +18,18 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // Cells of open space: vertices, and mirror corners.
 struct Tetrahedron_3
 {
+  using Site = Vertex_index;
   using Sites = Vertices_3;
   static constexpr bool may_repeat_vertices = false;
 
   const Sites& sites() const { return vertices; }
+  Site site(int place) const { return vertices[place]; }
   static bool is_free(const Sites& sites) { return sites[0] == null_index; }
+  // With its vertices in another order.
+  Tetrahedron_3 turned(const Few<std::uint8_t, 4>& places) const
+  {
+    return {permuted(vertices, places), permuted(mirrors, places)};
+  }
   void exchange(Tetrahedron_3& other)
   {
     exchange_what_differs(vertices, other.vertices);
@@ -166,14 +172,6 @@ public:
     return flipped;
   }
 
-  // A cell of a star before it is written. Its mirror at the tip lies outside of the star.
-  struct Star_cell
-  {
-    Cell_index number;
-    int tip; // the place of the vertex in the middle
-    Cell cell;
-  };
-
   // Replaces cells, which form a ball without vertices inside, by cells over its border that have
   // the vertex v in common. Each facet of the border is given by the corner of the cell within that
   // is opposite to it. Returns a new cell. `star` is memory that is used anew each time; parts have
@@ -183,7 +181,7 @@ public:
                              std::vector<Star_cell>& star, std::size_t part = whole)
   {
     star.clear();
-    bool is_table_ours = border.size() <= most_of_table;
+    bool is_table_ours = true;
     for (std::size_t n = 0; n < border.size(); ++n) {
       const int tip = place_of(border[n]);
       Star_cell made{n < ball.size() ? ball[n] : make_cell(part), tip, m_cells[cell_of(border[n])]};
@@ -193,100 +191,13 @@ public:
     }
     for (std::size_t n = border.size(); n < ball.size(); ++n)
       drop_cell(ball[n], part);
-    if (is_table_ours)
-      connect_star_by_table(star);
-    else
-      connect_star_by_sorting(star);
+    connect_star(star, is_table_ours);
     for (const Star_cell& made : star) {
-      record(made.number, part);
-      note(made.number, part);
-      m_cells[made.number] = made.cell;
-      for (int i = 0; i < 4; ++i)
-        note_corner(corner(made.number, i), part);
+      write(made, part);
       connect(corner(made.number, made.tip), made.cell.mirrors[made.tip], part);
     }
     return star.back().number;
   }
-
-  // Replaces all cells by the same ones with other numbers, and with their vertices in another
-  // order; of each vertex a corner is given.
-  void replace_all(Column<Cell_index, Cell>& cells, Column<Vertex_index, Corner_index>& corners)
-  {
-    clear_cells();
-    m_cells.swap(cells);
-    m_corners.swap(corners);
-  }
-
-private:
-  // Connects the cells of a star, beside the border. Each edge of the border belongs to two of
-  // them, which see it in opposite directions; so a table, by the numbers that its ends get here,
-  // tells the one what the other is. The corners of its vertices are used to number them.
-  void connect_star_by_table(std::vector<Star_cell>& star)
-  {
-    std::array<Index, 3 * most_of_table> vertex, at; // of three corners of each cell, not the tip
-    for_each_side(star, [&](std::size_t n, std::size_t k, int place) {
-      vertex[k] = star[n].cell.vertices[place];
-      at[k] = corner(star[n].number, place);
-    });
-    const std::size_t corners = 3 * star.size();
-    for (std::size_t k = 0; k < corners; ++k)
-      m_corners[Vertex_index(vertex[k])] = Corner_index(k); // the last one of each counts
-    std::array<unsigned char, 3 * most_of_table> counted, number;
-    unsigned char vertices = 0;
-    for (std::size_t k = 0; k < corners; ++k) {
-      counted[k] = vertices;
-      vertices = static_cast<unsigned char>(vertices + (m_corners[Vertex_index(vertex[k])] == k));
-    }
-    for (std::size_t k = 0; k < corners; ++k)
-      number[k] = counted[m_corners[Vertex_index(vertex[k])]];
-    std::array<std::array<unsigned char, row_of_table>, row_of_table> sides;
-    for (std::size_t k = 0; k < corners; k += 3)
-      for (std::size_t i = 0; i < 3; ++i)
-        sides[number[k + (i + 1) % 3]][number[k + (i + 2) % 3]] = static_cast<unsigned char>(k + i);
-    for_each_side(star, [&](std::size_t n, std::size_t k, int place) {
-      const std::size_t first = 3 * n, i = k - first;
-      const std::size_t from = number[first + (i + 1) % 3], to = number[first + (i + 2) % 3];
-      star[n].cell.mirrors[place] = Corner_index(at[sides[to][from]]);
-    });
-  }
-
-  // The same for any number of cells.
-  static void connect_star_by_sorting(std::vector<Star_cell>& star)
-  {
-    struct Side
-    {
-      Few<Vertex_index, 2> ends;
-      std::size_t n;
-      int place;
-    };
-    std::vector<Side> sides;
-    for_each_side(star, [&](std::size_t n, std::size_t k, int place) {
-      const auto& others = other_places[star[n].tip];
-      const Vertices_3& v = star[n].cell.vertices;
-      const auto [low, high] = std::minmax(v[others[(k + 1) % 3]], v[others[(k + 2) % 3]]);
-      sides.push_back({{low, high}, n, place});
-    });
-    std::sort(sides.begin(), sides.end(),
-              [](const Side& a, const Side& b) { return a.ends < b.ends; });
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-      const Side &side = sides[i], &other = sides[i ^ 1];
-      star[side.n].cell.mirrors[side.place] = corner(star[other.n].number, other.place);
-    }
-  }
-
-  // Calls f(n, k, place) for each corner of the n-th cell of a star but that at the tip. All are
-  // counted by k. The edge of the border opposite to each goes from the next one to the one after.
-  template <class Function>
-  static void for_each_side(const std::vector<Star_cell>& star, const Function& f)
-  {
-    for (std::size_t n = 0; n < star.size(); ++n)
-      for (std::size_t i = 0; i < 3; ++i)
-        f(n, 3 * n + i, int(other_places[star[n].tip][i]));
-  }
-
-  // A star of so many cells has at most so many vertices: by Euler, half of it and two on the
-  // border. All corners have numbers of a byte.
-  static constexpr std::size_t most_of_table = 64, row_of_table = most_of_table / 2 + 2;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

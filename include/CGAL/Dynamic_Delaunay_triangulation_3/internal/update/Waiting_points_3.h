@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -279,11 +278,11 @@ private:
   {
     const Vertex_index v = pending.vertex != null_index ? pending.vertex : append_vertex(pending);
     start_near(pending);
-    const std::optional<Vertex_index> other = m_insertion.insert(v);
-    if (!other)
+    const Vertex_index other = m_insertion.insert(v);
+    if (other == v)
       return false;
-    if (*other != null_index)
-      merge(pending, v, *other);
+    if (other != null_index)
+      merge(pending, v, other);
     else if (pending.vertex == null_index)
       m_state.ids.place_representative(pending.id, v);
     return true;
