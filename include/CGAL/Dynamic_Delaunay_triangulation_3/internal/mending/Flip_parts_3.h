@@ -88,9 +88,9 @@ private:
     Divided_list<Facet> seeds;
     divide(parts, flips, seeds);
     std::vector<Flips> of_parts(parts.number(), Flips(m_state));
-    m_state.arrays.begin_parts(parts.number(), [&](std::size_t part) {
-      return few_cells + seeds.size(part) / seeds_of_new_cell;
-    });
+    m_state.arrays.template begin_parts<typename State::Parts>(
+        parts.number(),
+        [&](std::size_t part) { return few_cells + seeds.size(part) / seeds_of_new_cell; });
     Parts::run_long(parts.number(), [&](std::size_t part) {
       of_parts[part].begin_part(parts, part);
       of_parts[part].run(seeds.begin(part), seeds.size(part));

@@ -304,8 +304,8 @@ private:
       m_parts.emplace_back(flips[part]);
       m_parts[part].first = m_whole.held.size();
     }
-    arrays().begin_parts(division.number(),
-                         [&](std::size_t part) { return few_cells + pieces(part) / 2; });
+    arrays().template begin_parts<typename State::Parts>(
+        division.number(), [&](std::size_t part) { return few_cells + pieces(part) / 2; });
     Parts::run_long(division.number(), [&](std::size_t part) { f(m_parts[part], part); });
     arrays().end_parts();
     for (const Work& part : m_parts)

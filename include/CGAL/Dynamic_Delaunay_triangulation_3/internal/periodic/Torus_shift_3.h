@@ -30,7 +30,7 @@ inline bool are_zero(const Multiples_3& m)
 // integer, m[0] + 2^10 m[1] + 2^20 m[2]: so one addition adds all three.
 struct Torus_shift_3
 {
-  int code = 0;
+  int code; // not initialized, so that memory for cells is not written twice
 
   // Of the point above a slab, or around a wire. A pass takes it for a large shift, and leaves it
   // to exact predicates.

@@ -393,6 +393,20 @@ public:
             is_beyond(wanted.z, m_low.z, m_high.z) ? other.z : wanted.z};
   }
 
+  // Whether space is repeated along an axis of the coordinates in which parts are cut, those of the
+  // basis, in which vertices are shifted, and wrapped: so that no border has to be where a period
+  // ends.
+  bool repeats(int axis) const { return axis < torus.dimension(); }
+  Position_3 coordinates_to_cut(Vertex_index v, const Few<double, 3>& shift) const
+  {
+    const Position_3& p = positions.position(v);
+    const auto across = [&](int axis) { return Torus_3::product(torus.vector(axis), p); };
+    const auto wrapped = [](double x) { return x - std::floor(x); };
+    const Position_3 f = torus.fractions(p);
+    return {wrapped(f.x + shift[0]), repeats(1) ? wrapped(f.y + shift[1]) : across(1),
+            repeats(2) ? wrapped(f.z + shift[2]) : across(2)};
+  }
+
   // Whether images that have a coordinate of their positions in common have it exactly so.
   bool has_levels(int axis) const
   {

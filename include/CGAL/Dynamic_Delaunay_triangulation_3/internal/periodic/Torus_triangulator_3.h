@@ -101,6 +101,8 @@ public:
     }
     let_first_ones_have_cells(covered);
     Canonical_cells_3<Arrays, Parts>(m_state.arrays).order();
+    if (m_state.torus.is_wire() && m_state.spans_space)
+      choose_axis(); // which cells have been there first may depend on threads
   }
 
 private:
@@ -324,7 +326,7 @@ private:
               positions.push_back(p + m_state.torus.combination(Multiples_3{x, y, z}));
             }
     }
-    const std::vector<Index> along_curve = order_along_curve(positions);
+    const std::vector<Index> along_curve = Order_along_curve_3<Parts>(positions).run();
     m_images.clear();
     for (const Vertex_index n : order_by_rounds(Index(images.size())))
       m_images.push_back(images[along_curve[n - 1]]);

@@ -43,6 +43,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //   Position_3 between_walls(r, q)    where another vertex waits instead of r, if it belongs to q
 //   bool has_levels(axis)             whether sites with equal coordinates of their rounded
 //                                     positions along an axis have them exactly in common
+//   bool repeats(axis)                whether space is repeated along an axis of these:
+//   Position_3 coordinates_to_cut(v, shift)  by which parts are cut
 //   bool goes_on_to_cover_once()      whether cells, infinite ones too, that are positive before
 //                                     and after motion go on to cover space once
 //   bool mends_by_cells               whether what is to be mended is taken up in the order of

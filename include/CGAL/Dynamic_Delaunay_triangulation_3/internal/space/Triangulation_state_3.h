@@ -107,6 +107,11 @@ public:
     return wanted;
   }
   static void find_walls() {}
+  static constexpr bool repeats(int) { return false; }
+  Position_3 coordinates_to_cut(Vertex_index v, const Few<double, 3>&) const
+  {
+    return positions.position(v);
+  }
   static Position_3 between_walls(const Position_3& wanted, const Position_3&) { return wanted; }
   static constexpr bool has_levels(int) { return true; }
   static constexpr bool goes_on_to_cover_once() { return false; } // a ray says so

@@ -39,7 +39,16 @@ template <class State, template <class, class> class Insertion_in_region = Inser
 class Parallel_insertion_3
 {
   using Parts = typename State::Exact_parts;
-  using Division = Spatial_parts_3<typename State::Positions, Parts>;
+  // By which space is divided.
+  struct Coordinates
+  {
+    Position_3 position(Vertex_index v) const { return state.coordinates_to_cut(v, shift); }
+    Index number() const { return state.positions.number(); }
+
+    const State& state;
+    Few<double, 3> shift;
+  };
+  using Division = Spatial_parts_3<Coordinates, Parts>;
   using Arrays = typename State::Arrays;
 
 public:
@@ -58,9 +67,13 @@ public:
   // alone.
   std::vector<Vertex_index> insert(std::vector<Vertex_index> vertices, Covered& covered)
   {
-    for (const typename Division::Numbers& numbers : divisions(vertices.size()))
-      if (is_worth_threads(vertices.size()))
-        vertices = insert_in_parts(Division(m_state.positions, numbers), vertices, covered);
+    if (is_worth_threads(vertices.size()))
+      for (const Cuts& cuts : ways_to_cut(vertices.size())) {
+        if (vertices.size() < few_left)
+          break;
+        const Coordinates coordinates{m_state, cuts.shift};
+        vertices = insert_in_parts(Division(coordinates, cuts.numbers), vertices, covered);
+      }
     std::vector<Vertex_index> left;
     for (const Vertex_index v : vertices) {
       const Vertex_index other = m_insertion.insert(v);
@@ -122,21 +135,49 @@ private:
 
   // With fewer ones for each thread too many are at borders.
   static constexpr std::size_t least_of_part = (std::max)(Parts::usual_size / 4, std::size_t(1));
+  // To divide all vertices anew takes as long as to insert some hundred.
+  static constexpr std::size_t few_left = (std::max)(Parts::usual_size / 8, std::size_t(1));
 
   static bool is_worth_threads(std::size_t vertices)
   {
     return Parts::most_workers() > 1 && vertices >= 2 * least_of_part;
   }
 
-  // Three divisions with different borders.
-  static std::array<typename Division::Numbers, 3> divisions(std::size_t vertices)
+  // Where borders are along an axis: nowhere, or in one of two ways, which are far from each other.
+  enum class Borders { NONE, USUAL, OTHER };
+
+  // A division.
+  struct Cuts
+  {
+    typename Division::Numbers numbers{1, 1, 1};
+    Few<double, 3> shift{0, 0, 0};
+  };
+  Cuts cuts(const typename Division::Numbers& n, const Few<Borders, 3>& borders) const
+  {
+    Cuts cuts;
+    for (int axis = 0; axis < 3; ++axis)
+      if (borders[axis] == Borders::OTHER && m_state.repeats(axis)) {
+        cuts.numbers[axis] = n[axis];
+        cuts.shift[axis] = 0.5 / double(n[axis]);
+      } else if (borders[axis] != Borders::NONE) {
+        const std::size_t other = n[axis] == 2 ? 3 : 2;
+        cuts.numbers[axis] = borders[axis] == Borders::USUAL ? n[axis] : other;
+      }
+    return cuts;
+  }
+
+  // Divisions for so many vertices, one after the other: what is near to the borders of some of
+  // them is far from those of others.
+  std::vector<Cuts> ways_to_cut(std::size_t vertices) const
   {
     const std::size_t most = (std::max)(vertices / least_of_part, std::size_t(1));
     const typename Division::Numbers n = numbers((std::min)(Parts::most_workers(), most));
-    if (n[0] != n[2])
-      return {{{n[0], n[1], n[2]}, {n[2], n[0], n[1]}, {n[1], n[2], n[0]}}};
-    const std::size_t other = n[0] == 2 ? 3 : 2;
-    return {{{n[0], n[1], n[2]}, {other, n[1], other}, {other, other, n[2]}}};
+    if (n[1] == 1)
+      return {{{n[0], 1, 1}}, {{1, n[0], 1}}, {{1, 1, n[0]}}};
+    constexpr Borders none = Borders::NONE, usual = Borders::USUAL, other = Borders::OTHER;
+    return {cuts(n, {usual, usual, usual}), cuts(n, {other, other, other}),
+            cuts(n, {other, usual, none}), cuts(n, {none, other, usual}),
+            cuts(n, {usual, none, other})};
   }
 
   // Into how many slabs, columns and blocks space is divided for so many threads: so that the one
@@ -171,7 +212,7 @@ private:
       works[division.part_of(v)].vertices.push_back(v);
     for (std::size_t part = 0; part < works.size(); ++part)
       works[part].start = find_start({&division, part}, works[part].vertices);
-    m_state.arrays.begin_parts(
+    m_state.arrays.template begin_parts<Parts>(
         works.size(), [&](std::size_t part) { return cells * works[part].vertices.size(); });
     Parts::run_long(works.size(), [&](std::size_t part) {
       insert({&division, part}, works[part]);

@@ -13,29 +13,83 @@
 
 #include <boost/property_map/function_property_map.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// The numbers of positions along a Hilbert curve.
-inline std::vector<Index> order_along_curve(const std::vector<Position_3>& positions)
+// Orders positions along a curve. Many of them are cut into blocks of equal numbers, one next to
+// the other, each of which has a Hilbert curve of its own, so that threads can share them.
+template <class Parts>
+class Order_along_curve_3
 {
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  std::vector<Index> order(positions.size());
-  std::iota(order.begin(), order.end(), Index(0));
-  const auto point_of = [&positions](Index i) {
-    const Position_3& p = positions[i];
-    return Kernel::Point_3(p.x, p.y, p.z);
-  };
-  const auto map = boost::make_function_property_map<Index>(point_of);
-  const Spatial_sort_traits_adapter_3<Kernel, decltype(map)> traits(map);
-  hilbert_sort(order.begin(), order.end(), traits);
-  return order;
-}
+public:
+  explicit Order_along_curve_3(const std::vector<Position_3>& positions)
+    : m_positions(positions)
+    , m_order(positions.size())
+  {
+  }
+
+  // The numbers of the positions. Once for an object.
+  std::vector<Index> run()
+  {
+    std::iota(m_order.begin(), m_order.end(), Index(0));
+    std::size_t blocks = 1;
+    if (m_positions.size() >= many)
+      for (const Coordinate along : {&Position_3::x, &Position_3::y, &Position_3::z})
+        for (const bool is_first : {true, false}) {
+          halve(blocks, along, is_first);
+          blocks *= 2;
+        }
+    Parts::run(blocks, [&](std::size_t block) { sort(block, blocks); });
+    return std::move(m_order);
+  }
+
+private:
+  using Coordinate = double Position_3::*;
+  using Iterator = std::vector<Index>::iterator;
+
+  static constexpr std::size_t many = Parts::least_shared * Parts::usual_size;
+
+  Iterator begin(std::size_t block, std::size_t blocks)
+  {
+    return m_order.begin() + std::ptrdiff_t(m_order.size() * block / blocks);
+  }
+
+  // Cuts each of so many blocks into two. The second time along an axis they make rows of four, of
+  // which every second one goes downwards, so that it begins where the one before ends.
+  void halve(std::size_t blocks, Coordinate along, bool is_first)
+  {
+    Parts::run_long(blocks, [&](std::size_t block) {
+      const bool is_upwards = (is_first ? block : block / 2) % 2 == 0;
+      std::nth_element(begin(block, blocks), begin(2 * block + 1, 2 * blocks),
+                       begin(block + 1, blocks), [&](Index i, Index j) {
+                         const double a = m_positions[i].*along, b = m_positions[j].*along;
+                         return is_upwards ? a < b : b < a;
+                       });
+    });
+  }
+
+  void sort(std::size_t block, std::size_t blocks)
+  {
+    using Kernel = Exact_predicates_inexact_constructions_kernel;
+    const auto point_of = [this](Index i) {
+      const Position_3& p = m_positions[i];
+      return Kernel::Point_3(p.x, p.y, p.z);
+    };
+    const auto map = boost::make_function_property_map<Index>(point_of);
+    const Spatial_sort_traits_adapter_3<Kernel, decltype(map)> traits(map);
+    hilbert_sort(begin(block, blocks), begin(block + 1, blocks), traits);
+  }
+
+  const std::vector<Position_3>& m_positions;
+  std::vector<Index> m_order;
+};
 
 // Vertices in rounds (Amenta, Choi and Rote 2003): one in eight, chosen at random, comes before the
 // others, one in eight of these before the rest of them, and so on; within a round they follow

@@ -251,7 +251,7 @@ private:
   // for each old cell its new number, and where its vertices go
   Uninitialized_column<Cell_index, std::uint64_t> m_turned;
   std::vector<std::vector<Corner_index>> m_late;
-  Column<Cell_index, Cell> m_cells;
+  typename Arrays::Cells m_cells;
   Column<Vertex_index, Corner_index> m_corners;
 };
 

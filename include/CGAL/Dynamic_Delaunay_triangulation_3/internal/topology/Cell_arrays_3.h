@@ -35,6 +35,7 @@ class Cell_arrays_3
 {
 public:
   using Cell = Cell_of_space;
+  using Cells = typename Cell_history_3<Cell>::Cells;
   using Star_cell = Star_cell_3<Cell>;
 
   // Cells that a flip has made, and their corners opposite to the facets around them: equally many
@@ -164,7 +165,7 @@ public:
 
   // Replaces all cells by the same ones with other numbers, and with their vertices in another
   // order; of each vertex a corner is given.
-  void replace_all(Column<Cell_index, Cell>& cells, Column<Vertex_index, Corner_index>& corners)
+  void replace_all(Cells& cells, Column<Vertex_index, Corner_index>& corners)
   {
     clear_cells();
     m_cells.swap(cells);
@@ -250,18 +251,24 @@ public:
   // transaction of all that is going on when they begin records what they change.
 
   // Begins with free_cells(part) free cells in each part, if there are numbers for them.
-  template <class Number>
+  template <class Parts, class Number>
   void begin_parts(std::size_t parts, const Number& free_cells)
   {
     m_logs.resize(parts);
+    std::size_t number = 0;
+    for (std::size_t part = 0; part < parts; ++part)
+      number += free_cells(part);
+    Cell_index next(m_cells.size());
+    append_free_cells<Parts>(number - (std::min)(number, m_log.free.size()));
     for (std::size_t part = 0; part < parts; ++part) {
       m_logs[part].is_recording = m_log.is_recording;
-      for (std::size_t n = free_cells(part); n > 0 && can_make_cell(); --n) {
-        if (m_log.free.empty())
-          append_free_cell();
-        m_logs[part].free.push_back(m_log.free.back());
-        m_log.free.pop_back();
-      }
+      for (std::size_t n = free_cells(part); n > 0; --n)
+        if (!m_log.free.empty()) {
+          m_logs[part].free.push_back(m_log.free.back());
+          m_log.free.pop_back();
+        } else if (next < m_cells.size()) {
+          m_logs[part].free.push_back(next++);
+        }
     }
     if (m_history.is_on())
       m_history.begin_parts(parts);
@@ -372,7 +379,7 @@ protected:
       note_corner(corner(made.number, i), part);
   }
 
-  Column<Cell_index, Cell> m_cells;
+  Cells m_cells;
   Column<Vertex_index, Corner_index> m_corners;
 
 private:
@@ -491,6 +498,23 @@ private:
     m_safe_cells.resize(m_cells.size());
     note(c);
     m_log.free.push_back(c);
+  }
+
+  // Appends so many free cells, which are on no list, or as many as there are numbers for. Threads
+  // share them: memory that is new takes most of the time.
+  template <class Parts>
+  void append_free_cells(std::size_t number)
+  {
+    const std::size_t first = m_cells.size();
+    number = (std::min)(number, max_cells - first);
+    if (first + number > m_cells.capacity())
+      m_cells.reserve(with_reserve(Index(first + number)));
+    m_cells.resize(first + number);
+    Parts::for_each_element(number,
+                            [&](std::size_t i) { m_cells[Cell_index(first + i)] = free_cell(); });
+    m_safe_cells.resize(m_cells.size());
+    for (Cell_index c(first); m_history.is_on() && c < m_cells.size(); ++c)
+      note(c);
   }
 
   void drop_free_ones_at_end()

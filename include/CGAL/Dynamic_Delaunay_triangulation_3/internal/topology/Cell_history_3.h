@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 
 #include <algorithm>
@@ -22,6 +23,7 @@ class Cell_history_3
 {
 public:
   using Sites = typename Cell::Sites;
+  using Cells = Dynamic_Delaunay_triangulations_2::internal::Uninitialized_column<Cell_index, Cell>;
 
   void begin()
   {
@@ -58,7 +60,7 @@ public:
   }
 
   // All cells are given up. Takes them instead of copying, so that nothing is thrown.
-  void give_up(Column<Cell_index, Cell>& cells)
+  void give_up(Cells& cells)
   {
     m_given_up.swap(cells);
     m_are_given_up = true;
@@ -84,7 +86,7 @@ public:
   }
   // Calls it for each cell that there was. `present` are those that there are.
   template <class Function>
-  void for_each_former_of_all(const Column<Cell_index, Cell>& present, const Function& f) const
+  void for_each_former_of_all(const Cells& present, const Function& f) const
   {
     for_each_former(m_are_given_up ? m_given_up : present, f);
   }
@@ -111,7 +113,7 @@ private:
 
   // Those that were noted, and of `others` those that were not.
   template <class Function>
-  void for_each_former(const Column<Cell_index, Cell>& others, const Function& f) const
+  void for_each_former(const Cells& others, const Function& f) const
   {
     auto next = m_former.begin();
     for (Cell_index c(0); c < others.size(); ++c)
@@ -133,7 +135,7 @@ private:
   bool m_is_on = false, m_are_given_up = false;
   std::vector<Former> m_former;
   std::vector<Part> m_of_parts;
-  Column<Cell_index, Cell> m_given_up; // as they were then
+  Cells m_given_up; // as they were then
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

@@ -269,7 +269,7 @@ private:
       places.push_back(p->place.position);
     }
     std::size_t n = 0;
-    for (const Index i : order_along_curve(places))
+    for (const Index i : Order_along_curve_3<typename State::Parts>(places).run())
       *(first_new + std::ptrdiff_t(n++)) = fresh[i];
   }
 

@@ -138,7 +138,7 @@ private:
       positions.push_back(point.place.position);
     std::vector<Located> sorted;
     sorted.reserve(points.size());
-    for (const Index i : order_along_curve(positions))
+    for (const Index i : Order_along_curve_3<typename State::Parts>(positions).run())
       sorted.push_back(points[i]);
     points.swap(sorted);
   }
