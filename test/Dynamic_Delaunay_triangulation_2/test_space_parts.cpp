@@ -16,6 +16,7 @@
 #include <CGAL/Dynamic_Delaunay_triangulation_3/visitors/Edge_changes_visitor_3.h>
 #include <CGAL/Dynamic_periodic_Delaunay_triangulation_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/hilbert_sort.h>
 
 #include <gtest/gtest.h>
 
@@ -57,6 +58,7 @@ public:
 namespace {
 
 using Backward_option = CGAL::With_concurrency_2<Backward_tag>;
+using Parts = CGAL::Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<Backward_tag>;
 using Dynamic = CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick>;
 using Backward = CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick, Backward_option>;
 using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick>;
@@ -398,7 +400,7 @@ TEST(Steps_of_space, of_a_part_leave_other_vertices_alone)
     std::vector<Flipped_cells::Corner_index> corners;
     for (Flipped_cells::Vertex_index v(0); v < arrays.number_of_vertices(); ++v)
       corners.push_back(arrays.corner_of(v));
-    arrays.begin_parts(1, [](std::size_t) { return std::size_t(1); });
+    arrays.begin_parts<Parts>(1, [](std::size_t) { return std::size_t(1); });
     arrays.begin(0);
     flipped.flip(0);
     arrays.undo(0);
@@ -410,6 +412,35 @@ TEST(Steps_of_space, of_a_part_leave_other_vertices_alone)
     ASSERT_EQ(flipped.cells(), before);
     ASSERT_NO_FATAL_FAILURE(flipped.expect_fit());
   }
+}
+
+// Blocks that threads order follow each other as if there was one curve.
+TEST(Order_along_curve, takes_each_position_once_on_a_short_way)
+{
+  namespace internal = CGAL::Dynamic_Delaunay_triangulations_3::internal;
+  using Position = CGAL::Dynamic_Delaunay_triangulations_3::Position_3;
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  std::vector<Position> positions(2000);
+  std::vector<Dynamic::Point> curve;
+  for (Position& p : positions) {
+    p = {coordinate(random), coordinate(random), coordinate(random)};
+    curve.emplace_back(p.x, p.y, p.z);
+  }
+  const std::vector<CGAL::Dynamic_Delaunay_triangulations_3::Index> order =
+      internal::Order_along_curve_3<Parts>(positions).run();
+  std::vector<Dynamic::Point> ordered;
+  for (const auto i : order)
+    ordered.push_back(curve[i]);
+  EXPECT_EQ(std::set(order.begin(), order.end()).size(), positions.size());
+  CGAL::hilbert_sort(curve.begin(), curve.end());
+  const auto length = [](const std::vector<Dynamic::Point>& points) {
+    double sum = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      sum += std::sqrt(CGAL::squared_distance(points[i - 1], points[i]));
+    return sum;
+  };
+  EXPECT_LT(length(ordered), 1.08 * length(curve)); // 1.1 if rows of blocks began on one side
 }
 
 } // namespace
