@@ -33,8 +33,8 @@ using Insertion_in_rounds_3 = Vertex_insertion_3<State, Order_of_rounds_3, Regio
 //
 // In open space the cells are those of insertion one after the other, in the order of rounds: ties
 // are decided so, and of points that coincide the first one gets cells. On a torus no tie depends
-// on an order, but of points that coincide any one may get cells. Only the numbers of cells depend
-// on threads, too.
+// on an order, but of points that coincide any one may get cells. Apart from that, only the numbers
+// of cells depend on threads.
 template <class State, template <class, class> class Insertion_in_region = Insertion_in_rounds_3>
 class Parallel_insertion_3
 {
