@@ -375,6 +375,7 @@ TEST_F(Threads_in_periodic_space, construct_the_same)
 {
   const CGAL::Periodic_cell_3 cells[] = {{1, 1, 1},
                                          {1, 2, 0.7},
+                                         {1, 1, 0.02},
                                          {{0.3, 0, 0}, {0.09, 0.3, 0}, {0.06, 0.12, 0.36}},
                                          {{1, 0, 0}, {0.4, 1.1, 0}},
                                          CGAL::Periodic_cell_3{std::array<double, 3>{0, 0, 1}}};
