@@ -58,7 +58,8 @@ public:
 namespace {
 
 using Backward_option = CGAL::With_concurrency_2<Backward_tag>;
-using Parts = CGAL::Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<Backward_tag>;
+using Backward_parts =
+    CGAL::Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<Backward_tag>;
 using Dynamic = CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick>;
 using Backward = CGAL::Dynamic_Delaunay_triangulation_3<CGAL::Epick, Backward_option>;
 using Periodic = CGAL::Dynamic_periodic_Delaunay_triangulation_3<CGAL::Epick>;
@@ -400,7 +401,7 @@ TEST(Steps_of_space, of_a_part_leave_other_vertices_alone)
     std::vector<Flipped_cells::Corner_index> corners;
     for (Flipped_cells::Vertex_index v(0); v < arrays.number_of_vertices(); ++v)
       corners.push_back(arrays.corner_of(v));
-    arrays.begin_parts<Parts>(1, [](std::size_t) { return std::size_t(1); });
+    arrays.begin_parts<Backward_parts>(1, [](std::size_t) { return std::size_t(1); });
     arrays.begin(0);
     flipped.flip(0);
     arrays.undo(0);
@@ -428,7 +429,7 @@ TEST(Order_along_curve, takes_each_position_once_on_a_short_way)
     curve.emplace_back(p.x, p.y, p.z);
   }
   const std::vector<CGAL::Dynamic_Delaunay_triangulations_3::Index> order =
-      internal::Order_along_curve_3<Parts>(positions).run();
+      internal::Order_along_curve_3<Backward_parts>(positions).run();
   std::vector<Dynamic::Point> ordered;
   for (const auto i : order)
     ordered.push_back(curve[i]);
