@@ -232,8 +232,7 @@ TEST(Division_of_space, gives_each_vertex_one_part)
     positions.set(Vertex_index(i + 1),
                   internal::Place_3<Point>(
                       Position_3{i % 7 == 0 ? 0.25 : points[i].x(), points[i].y(), points[i].z()}));
-  using Parts = CGAL::Dynamic_Delaunay_triangulations_2::internal::Parallel_parts<Backward_tag>;
-  using Division = internal::Spatial_parts_3<internal::Positions_3<Point>, Parts>;
+  using Division = internal::Spatial_parts_3<internal::Positions_3<Point>, Backward_parts>;
   for (const Division::Numbers& numbers :
        {Division::Numbers{2, 2, 2}, {3, 3, 3}, {3, 3, 1}, {1, 1, 3}}) {
     const Division parts(positions, numbers);
