@@ -185,13 +185,9 @@ private:
         if (k == m_entries[n])
           continue;
         const Corner_index entry = m_arrays.mirror(k);
-        const Index kind =
-            m_tested
-                .find_or_insert(Arrays::cell_of(entry),
-                                [&] {
-                                  return Cell_set_3::Noted{kind_beyond(entry, v), {}};
-                                })
-                .kind;
+        const auto [kind, note] = m_tested.find_or_insert(Arrays::cell_of(entry), [&] {
+          return Cell_set_3::Noted{kind_beyond(entry, v), {}};
+        });
         if (kind == out_of_region)
           return false;
         if (kind == bordering)

@@ -230,39 +230,19 @@ public:
     return {{first, second, null_index}, 2, new_corners(outer)};
   }
 
-  // A cell of a ball that is replaced, or the corner opposite to a facet of its border; and the
-  // shift that the site in the middle of the star has in the chart of the cell.
-  struct Shifted_cell
-  {
-    Cell_index cell;
-    Torus_shift_3 shift;
-  };
-  struct Shifted_corner
-  {
-    Corner_index corner;
-    Torus_shift_3 shift;
-  };
-
   // Replaces cells, which form a ball without sites inside, no two of them images of each other, by
   // cells over its border that have an image of the vertex v in common. What is beyond the border
-  // stays. Returns a new cell. `star` is memory that is used anew each time; parts have one each.
-  Cell_index replace_by_star(const std::vector<Shifted_cell>& ball,
-                             const std::vector<Shifted_corner>& border, Vertex_index v,
+  // stays. `border` is as in open space; `shifts` are those that the image of v has in the charts
+  // of its cells. Returns a new cell. `star` is memory that is used anew each time; parts have one
+  // each.
+  Cell_index replace_by_star(const std::vector<Cell_index>& ball,
+                             const std::vector<Corner_index>& border,
+                             const std::vector<Torus_shift_3>& shifts, Vertex_index v,
                              std::vector<Star_cell>& star, std::size_t part = whole)
   {
-    star.clear();
-    bool is_table_ours = true;
-    for (std::size_t n = 0; n < border.size(); ++n) {
-      const auto [k, shift] = border[n];
-      Star_cell made{n < ball.size() ? ball[n].cell : make_cell(part), place_of(k),
-                     m_cells[cell_of(k)]};
-      move_to_chart_of_star(made, v, shift);
-      is_table_ours = is_table_ours && (part == whole || !has_infinite(made.cell.vertices));
-      star.push_back(made);
-    }
-    for (std::size_t n = border.size(); n < ball.size(); ++n)
-      drop_cell(ball[n].cell, part);
-    connect_star(star, is_table_ours);
+    prepare_star(ball, border, star, part, [&](Star_cell& made, std::size_t n) {
+      move_to_chart_of_star(made, v, shifts[n]);
+    });
     for (const Star_cell& made : star)
       write(made, part);
     for (const Star_cell& made : star)

@@ -57,7 +57,8 @@ public:
           return s.vertex;
     if (!find_conflicts(c, site))
       return v;
-    m_last = m_arrays.replace_by_star(m_conflicts, m_border, v, m_star, m_region.part);
+    m_last =
+        m_arrays.replace_by_star(m_conflicts, m_border, m_border_shifts, v, m_star, m_region.part);
     return null_index;
   }
 
@@ -123,22 +124,25 @@ private:
   // conflict with each other's new cells.
   bool find_conflicts(Cell_index first, const Torus_site_3& site)
   {
-    m_conflicts.assign(1, {first, site.shift});
+    m_conflicts.assign(1, first);
+    m_shifts.assign(1, site.shift);
     m_entries.assign(1, Corner_index(null_index));
     m_border.clear();
+    m_border_shifts.clear();
     m_tested.clear(m_arrays.number_of_cells());
     m_tested.insert(first, conflicting, site.shift);
     for (std::size_t n = 0; n < m_conflicts.size(); ++n)
       for (int i = 0; i < 4; ++i) {
-        const auto [c, here] = m_conflicts[n];
-        const Corner_index k = Arrays::corner(c, i);
+        const Corner_index k = Arrays::corner(m_conflicts[n], i);
         if (k == m_entries[n])
           continue;
-        switch (kind_beyond(k, {site.vertex, here - m_arrays.translation(k)})) {
-        case hopeless:
+        const Torus_shift_3 here = m_shifts[n];
+        const Index kind = kind_beyond(k, {site.vertex, here - m_arrays.translation(k)});
+        if (kind == hopeless)
           return false;
-        case bordering:
-          m_border.push_back({k, here});
+        if (kind == bordering) {
+          m_border.push_back(k);
+          m_border_shifts.push_back(here);
         }
       }
     return m_region.part == Arrays::whole || m_border.size() <= m_conflicts.size() ||
@@ -166,7 +170,8 @@ private:
       return bordering;
     if (!m_region.has(m_arrays.vertices(c)))
       return hopeless;
-    m_conflicts.push_back({c, site.shift});
+    m_conflicts.push_back(c);
+    m_shifts.push_back(site.shift);
     m_entries.push_back(entry);
     return conflicting;
   }
@@ -180,9 +185,10 @@ private:
   Region m_region;
   Cell_index m_last{0};
   Noted_cells_3<Torus_shift_3> m_tested; // with the shift of the image
-  std::vector<Arrays::Shifted_cell> m_conflicts;
-  std::vector<Corner_index> m_entries;          // of each the corner opposite to where it was found
-  std::vector<Arrays::Shifted_corner> m_border; // of cells in conflict, opposite to others
+  std::vector<Cell_index> m_conflicts;
+  std::vector<Torus_shift_3> m_shifts, m_border_shifts; // of the image in the charts of these cells
+  std::vector<Corner_index> m_entries; // of each the corner opposite to where it was found
+  std::vector<Corner_index> m_border;  // corners of cells in conflict, opposite to others
   std::vector<Arrays::Star_cell> m_star;
 };
 

@@ -192,21 +192,19 @@ private:
       if (Vertex_index& known = first.emplace(other, other).first->second;
           Order_of_rounds_3()(v, known))
         known = v;
+    if (std::all_of(first.begin(), first.end(), [](const auto& f) { return f.first == f.second; }))
+      return;
     const Torus_3& torus = m_state.torus;
     const auto& positions = m_state.positions;
     Column<Vertex_index, Torus_shift_3> shifts(positions.number(), Torus_shift_3());
     Column<Vertex_index, Vertex_index> numbers(positions.number(), infinite_index);
     for (Vertex_index v(1); v < numbers.size(); ++v)
       numbers[v] = v;
-    bool are_others = false;
     for (const auto& [v, known] : first) {
       const Position_3 way = positions.position(v) - positions.position(known);
       shifts[v] = Torus_shift_3::of(Torus_3::nearest(torus.fractions(way)));
       numbers[v] = known;
-      are_others = are_others || v != known;
     }
-    if (!are_others)
-      return;
     m_state.arrays.close_gaps();
     m_state.arrays.shift_vertices(shifts);
     m_state.arrays.renumber_all(numbers, positions.number());

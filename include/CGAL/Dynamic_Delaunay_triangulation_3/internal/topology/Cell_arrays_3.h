@@ -362,10 +362,25 @@ protected:
       mine.record.emplace_back(c, m_cells[c]);
   }
 
-  // Of a star that is to be written. Where the table is not ours, as the infinite vertex is not in
-  // a part, nothing is changed at vertices.
-  void connect_star(std::vector<Star_cell>& star, bool is_table_ours)
+  // Makes the cells of a star that replaces a ball, and connects them with each other: copies of
+  // the cells inside of the ball at the corners opposite to its border, in which put_vertex(cell,
+  // n) puts the vertex in the middle. They have numbers, and are still to be written. The cells of
+  // the ball that are not needed are dropped.
+  template <class Put_vertex>
+  void prepare_star(const std::vector<Cell_index>& ball, const std::vector<Corner_index>& border,
+                    std::vector<Star_cell>& star, std::size_t part, const Put_vertex& put_vertex)
   {
+    star.clear();
+    bool is_table_ours = true; // stored at vertices; a part does not have the infinite one
+    for (std::size_t n = 0; n < border.size(); ++n) {
+      const Corner_index k = border[n];
+      Star_cell made{n < ball.size() ? ball[n] : make_cell(part), place_of(k), m_cells[cell_of(k)]};
+      put_vertex(made, n);
+      is_table_ours = is_table_ours && (part == whole || !has_infinite(made.cell.vertices));
+      star.push_back(made);
+    }
+    for (std::size_t n = border.size(); n < ball.size(); ++n)
+      drop_cell(ball[n], part);
     Cell_star_3<Cell> cells(star);
     if (!is_table_ours || !cells.connect_by_table(m_corners))
       cells.connect_by_sorting();

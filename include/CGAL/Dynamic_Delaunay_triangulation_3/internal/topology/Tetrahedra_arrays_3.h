@@ -180,18 +180,8 @@ public:
                              const std::vector<Corner_index>& border, Vertex_index v,
                              std::vector<Star_cell>& star, std::size_t part = whole)
   {
-    star.clear();
-    bool is_table_ours = true;
-    for (std::size_t n = 0; n < border.size(); ++n) {
-      const int tip = place_of(border[n]);
-      Star_cell made{n < ball.size() ? ball[n] : make_cell(part), tip, m_cells[cell_of(border[n])]};
-      made.cell.vertices[tip] = v;
-      is_table_ours = is_table_ours && (part == whole || !has_infinite(made.cell.vertices));
-      star.push_back(made);
-    }
-    for (std::size_t n = border.size(); n < ball.size(); ++n)
-      drop_cell(ball[n], part);
-    connect_star(star, is_table_ours);
+    prepare_star(ball, border, star, part,
+                 [&](Star_cell& made, std::size_t) { made.cell.vertices[made.tip] = v; });
     for (const Star_cell& made : star) {
       write(made, part);
       connect(corner(made.number, made.tip), made.cell.mirrors[made.tip], part);
