@@ -13,7 +13,6 @@
 #include <boost/functional/hash.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
