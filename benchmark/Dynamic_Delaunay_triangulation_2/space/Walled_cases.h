@@ -142,7 +142,8 @@ inline common::Table walled_table()
                         {"/anew", 9, 2}});
 }
 
-// One row. A triangulation is made anew in every twentieth frame.
+// One row. In every twentieth frame a triangulation is made anew, and the points in open space,
+// which drift apart, start again.
 inline void write_walled(common::Table& table, const std::string& kind, std::size_t n, double step,
                          int frames)
 {
@@ -151,8 +152,9 @@ inline void write_walled(common::Table& table, const std::string& kind, std::siz
   const CGAL::Periodic_cell_3 cell = cloud.cell();
   Periodic walled(cloud.points(), cell);
   std::mt19937_64 random(1);
-  Points open_points = points_of("poisson", n, random);
-  Dynamic open(open_points);
+  const Points first_open_points = points_of("poisson", n, random);
+  Points open_points;
+  Dynamic open;
   std::vector<double> updates, opens, anew, rebuilt;
   double flips = 0, held = 0;
   for (int frame = 0; frame != frames; ++frame) {
@@ -164,6 +166,10 @@ inline void write_walled(common::Table& table, const std::string& kind, std::siz
     held += double(report.held);
     if (report.rebuilt()) {
       rebuilt.push_back(updates.back());
+    }
+    if (frame % frames_of_anew == 0) {
+      open_points = first_open_points;
+      open = Dynamic(open_points);
     }
     move("poisson", step, open_points, random);
     opens.push_back(nanoseconds(n, [&] { open.update(open_points); }));

@@ -153,6 +153,9 @@ public:
     return fractions.x * m_vectors[0] + fractions.y * m_vectors[1] + fractions.z * m_vectors[2];
   }
 
+  // Combinations of the basis, rounded in the same way.
+  const Small_translations_3& small_translations() const { return m_small_translations; }
+
   // A vector in multiples of the basis, rounded.
   Position_3 fractions(const Position_3& v) const
   {
@@ -433,6 +436,7 @@ private:
 
   void set_near()
   {
+    m_small_translations.set(m_vectors);
     double most = 0;
     for (const auto* inverse : {&m_inverse, &m_inverse_of_cell})
       for (const Position_3& row : *inverse)
@@ -579,6 +583,7 @@ private:
   double m_near = 0;                 // points with smaller coordinates are in range
   Position_3 m_middle{0, 0, 0};      // of the basis' parallelepiped
   double m_inside = 0;               // points that are not farther from that are not far out
+  Small_translations_3 m_small_translations;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_3::internal

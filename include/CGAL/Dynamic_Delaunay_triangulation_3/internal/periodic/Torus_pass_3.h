@@ -21,7 +21,7 @@
 
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
-// What the tests of a pass read: cells, positions, and the translations of small shifts.
+// What the tests of a pass read: cells, positions, and the translations by small shifts.
 class Torus_view_3
 {
 public:
@@ -31,14 +31,9 @@ public:
   explicit Torus_view_3(const State& state)
     : m_cells(state.arrays.cells())
     , m_positions(state.positions.data())
-    , m_torus(state.torus)
+    , m_translations(state.torus.small_translations())
     , m_squared_error(state.squared_error)
   {
-    for (int x = 0; x < side; ++x)
-      for (int y = 0; y < side; ++y)
-        for (int z = 0; z < side; ++z)
-          m_translations[std::size_t(x + side * (y + side * z))] =
-              m_torus.combination(Multiples_3{x - side / 2, y - side / 2, z - side / 2});
   }
 
   const Cell& cell(Index c) const { return m_cells[c]; }
@@ -61,8 +56,9 @@ public:
   {
     int beyond_table = 0;
     for (int i = 0; i < 4; ++i)
-      beyond_table |= (cell.shifts[i].code + middle) | (cell.beyond[i].code + middle);
-    return (beyond_table & ~table) == 0;
+      beyond_table |= Small_translations_3::bits_beyond_table(cell.shifts[i]) |
+                      Small_translations_3::bits_beyond_table(cell.beyond[i]);
+    return beyond_table == 0;
   }
 
   // The vertices of a cell have the places from 0 to 3, and those beyond its facets from 4 to 7.
@@ -80,17 +76,14 @@ public:
     Numbers numbers;
     std::memcpy(numbers.begin(), &cell.shifts, sizeof(cell.shifts));
     std::memcpy(numbers.begin() + 4, &cell.beyond, sizeof(cell.beyond));
-    for (unsigned& number : numbers) { // by instructions that compute all at once
-      const unsigned code = number + unsigned(middle);
-      number = (code & low) | (code >> (10 - bits) & low << bits) |
-               (code >> 2 * (10 - bits) & low << 2 * bits);
-    }
+    for (unsigned& number : numbers) // by instructions that compute all at once
+      number = Small_translations_3::place(number);
     return numbers;
   }
   // The image of a place, for lanes.
   BOOST_FORCEINLINE Translated_3 image(const Cell& cell, const Numbers& numbers, int place) const
   {
-    return {&m_positions[vertex(cell, place)], &m_translations[numbers[place]]};
+    return {&m_positions[vertex(cell, place)], &m_translations.at(numbers[place])};
   }
 
   // Whether a finite cell has large shifts only because infinite vertices are beyond its facets.
@@ -107,21 +100,15 @@ public:
                                                     int place) const
   {
     if (place >= 4 && vertex(cell, place) == infinite_index)
-      return {&m_positions[Vertex_index(infinite_index)], &m_translations[0]};
+      return {&m_positions[Vertex_index(infinite_index)], &m_translations.at(0)};
     return image(cell, numbers, place);
   }
 
 private:
-  static constexpr int bits = 3, side = 1 << bits, low = side - 1;
-  // Of codes of shifts, to which `middle` is added, these bits count in the table.
-  static constexpr int middle = side / 2 * (1 + (1 << 10) + (1 << 20));
-  static constexpr int table = low * (1 + (1 << 10) + (1 << 20));
-
   const Cell* m_cells;
   const Position_3* m_positions;
-  const Torus_3& m_torus;
+  const Small_translations_3& m_translations;
   double m_squared_error;
-  std::array<Position_3, side * side * side> m_translations; // from -4 to 3
 };
 
 // Cells that wait until all lanes have one.

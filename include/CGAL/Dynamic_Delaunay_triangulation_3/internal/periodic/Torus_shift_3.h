@@ -8,6 +8,11 @@
 
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/passes/Elements_3.h>
 
+#include <boost/config.hpp>
+
+#include <array>
+#include <cstddef>
+
 namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 
 // Multiples of the three vectors of a lattice's basis.
@@ -57,6 +62,50 @@ private:
 };
 
 using Shifts_3 = Few<Torus_shift_3, 4>;
+
+// The translations by shifts whose multiples are from -4 to 3, nearly all that there are, in a
+// table.
+class Small_translations_3
+{
+public:
+  // Of the combinations of three vectors, each summed up in this order.
+  template <class Vectors>
+  void set(const Vectors& vectors)
+  {
+    for (int i = 0; i < number; ++i)
+      m_translations[std::size_t(i)] = double(i % side - side / 2) * vectors[0] +
+                                       double(i / side % side - side / 2) * vectors[1] +
+                                       double(i / side / side - side / 2) * vectors[2];
+  }
+
+  // Of a code, those for which the table has no place: none if it has the translation. Of several
+  // shifts, they may be tested at once.
+  BOOST_FORCEINLINE static int bits_beyond_table(Torus_shift_3 shift)
+  {
+    return (shift.code + middle) & ~table;
+  }
+  BOOST_FORCEINLINE static bool has(Torus_shift_3 shift) { return bits_beyond_table(shift) == 0; }
+  // The place of one that it has. Without branches, so that several may be found at once.
+  BOOST_FORCEINLINE static unsigned place(unsigned code)
+  {
+    const unsigned c = code + unsigned(middle);
+    return (c & low) | (c >> (10 - bits) & low << bits) | (c >> 2 * (10 - bits) & low << 2 * bits);
+  }
+  BOOST_FORCEINLINE const Position_3& at(unsigned place) const { return m_translations[place]; }
+  BOOST_FORCEINLINE const Position_3& of(Torus_shift_3 shift) const
+  {
+    return at(place(unsigned(shift.code)));
+  }
+
+private:
+  static constexpr int bits = 3, side = 1 << bits, number = side * side * side;
+  static constexpr unsigned low = side - 1;
+  // Of codes of shifts, to which `middle` is added, these bits count in the table.
+  static constexpr int middle = side / 2 * (1 + (1 << 10) + (1 << 20));
+  static constexpr int table = int(low) * (1 + (1 << 10) + (1 << 20));
+
+  std::array<Position_3, number> m_translations;
+};
 
 // An image of a vertex; or one of the two points at infinity of a slab, above or below it, which
 // are sites of the infinite vertex. A wire has one such point, all around it: that of `above()`.
