@@ -172,7 +172,7 @@ public:
   void release()
   {
     Uninitialized_vector<std::uint64_t>().swap(m_places);
-    std::vector<Cut_2>().swap(m_cuts);
+    Uninitialized_vector<Cut_2>().swap(m_cuts);
   }
 
 private:
@@ -370,7 +370,7 @@ private:
   const Position_2* m_positions = nullptr;
   // Each is the place in a grid (upper half), and the number of the point (lower half).
   Uninitialized_vector<std::uint64_t> m_places;
-  std::vector<Cut_2> m_cuts;
+  Uninitialized_vector<Cut_2> m_cuts;
 };
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

@@ -91,7 +91,7 @@ public:
   {
     std::vector<Point>().swap(m_points);
     std::vector<Point_id>().swap(m_point_ids);
-    std::vector<Index>().swap(m_place_of_vertex);
+    Uninitialized_vector<Index>().swap(m_place_of_vertex);
   }
   void release_order() { m_order.release(); }
   void release()
@@ -109,7 +109,7 @@ private:
     const auto are_in_one_place = [this](Index i, Index j) {
       return coincide(m_state.traits(), m_points[i], m_points[j]);
     };
-    m_ids.reset(number_of_ids);
+    m_ids.template reset<Parts>(number_of_ids);
     m_place_of_vertex.clear();
     m_place_of_vertex.reserve(m_points.size());
     if (m_order.template are_distinct<Parts>(are_in_one_place))
@@ -139,7 +139,7 @@ private:
   {
     const boost::counting_iterator<Index> first(0), beyond(Index(m_points.size()));
     if (m_state.positions_are_exact()) {
-      std::vector<Position_2> positions(m_points.size());
+      Uninitialized_vector<Position_2> positions(m_points.size());
       Parts::for_each_element(m_points.size(),
                               [&](std::size_t i) { positions[i] = approximation(m_points[i]); });
       m_order.template sort<Parts>(positions, first, beyond);
@@ -170,7 +170,7 @@ private:
   Spatial_order_2 m_order;
   std::vector<Point> m_points; // the points to number
   std::vector<Point_id> m_point_ids;
-  std::vector<Index> m_place_of_vertex; // index in m_points of its representative
+  Uninitialized_vector<Index> m_place_of_vertex; // index in m_points of its representative
   Ids m_ids;
 };
 

@@ -8,12 +8,14 @@
 
 #include <CGAL/assertions.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Flat_arrays.h>
+#include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Parallel_parts.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_2/internal/base/Processor.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <functional>
 #include <new>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -152,8 +154,9 @@ public:
       consider(2 * place + 1);
       consider(2 * place + 2);
     }
-    for (Point_id id(number_of_ids()); ids.size() < number; ++id)
-      ids.push_back(id);
+    const auto reused = std::ptrdiff_t(ids.size());
+    ids.resize(number);
+    std::iota(ids.begin() + reused, ids.end(), Point_id(number_of_ids()));
   }
 
   // Returns the ids that the next points get if the ids in `gone` are freed first.
@@ -171,9 +174,13 @@ public:
   // NUMBERING FROM SCRATCH ------------------------------------------------------------------------
 
   // Starts with so many ids, none of them taken.
+  template <class Parts = Parallel_parts<Sequential_tag>>
   void reset(Index ids)
   {
-    m_vertex_or_ring.assign(ids, null_index);
+    m_vertex_or_ring.resize(ids);
+    Parts::for_each(ids, [this](std::size_t, std::size_t first, std::size_t beyond) {
+      std::fill(m_vertex_or_ring.data() + first, m_vertex_or_ring.data() + beyond, null_index);
+    });
     m_representative.assign(1, null_index); // the infinite vertex has no point
     m_covered.clear();
     m_covered_points.clear();
@@ -449,8 +456,8 @@ private:
   static_assert(max_vertices < first_in_ring);
 
   // By ids: null_index if free, a vertex, or from first_in_ring on the number of a covered point.
-  Column<Point_id, Index> m_vertex_or_ring;
-  Column<Vertex_index, Point_id> m_representative;
+  Uninitialized_column<Point_id, Index> m_vertex_or_ring;
+  Uninitialized_column<Vertex_index, Point_id> m_representative;
   std::vector<Covered> m_covered;
   std::vector<Point> m_covered_points;
   std::vector<Point_id> m_free_ids; // a heap, the smallest on top
