@@ -1084,6 +1084,16 @@ TEST(Parts, find_each_index_once)
     });
 }
 
+TEST(Parts, are_shared_by_as_many_threads_as_the_program_allows)
+{
+  using Parts = internal::Parallel_parts<CGAL::Parallel_tag>;
+  with_threads(3, [] {
+    EXPECT_EQ(Parts::most_workers(), 3u);
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, 1);
+    EXPECT_EQ(Parts::most_workers(), 1u);
+  });
+}
+
 TEST(Parts, throw_what_the_first_one_throws)
 {
   using Parts = internal::Parallel_parts<CGAL::Parallel_tag>;

@@ -6,7 +6,9 @@
 #ifndef DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_VISIBLE_GLOBAL_CONTROL_H
 #define DYNAMIC_DELAUNAY_TRIANGULATION_2_TEST_VISIBLE_GLOBAL_CONTROL_H
 
+#include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace tbb {
 
@@ -15,7 +17,25 @@ class global_control
 public:
   enum parameter { max_allowed_parallelism };
 
-  global_control(parameter, std::size_t) {}
+  global_control(parameter, std::size_t value)
+    : m_before(limit())
+  {
+    limit() = (std::min)(limit(), value);
+  }
+  global_control(const global_control&) = delete;
+  global_control& operator=(const global_control&) = delete;
+  ~global_control() { limit() = m_before; }
+
+  static std::size_t active_value(parameter) { return limit(); }
+
+private:
+  static std::size_t& limit()
+  {
+    static std::size_t limit = (std::numeric_limits<std::size_t>::max)();
+    return limit;
+  }
+
+  std::size_t m_before;
 };
 
 } // namespace tbb

@@ -10,6 +10,7 @@
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #endif
@@ -51,12 +52,16 @@ public:
   static_assert(!is_parallel, "Parallel_tag needs TBB: link with CGAL::TBB_support");
 #endif
 
-  // How many threads may share work.
+  // How many threads may share work: an arena's, unless the program allows fewer for all arenas.
   static std::size_t most_workers()
   {
 #ifdef CGAL_LINKED_WITH_TBB
-    if constexpr (is_parallel)
-      return std::size_t((std::max)(tbb::this_task_arena::max_concurrency(), 1));
+    if constexpr (is_parallel) {
+      using Control = tbb::global_control;
+      const std::size_t of_arena = std::size_t(tbb::this_task_arena::max_concurrency());
+      const std::size_t allowed = Control::active_value(Control::max_allowed_parallelism);
+      return (std::max)((std::min)(of_arena, allowed), std::size_t(1));
+    }
 #endif
     return 1;
   }
