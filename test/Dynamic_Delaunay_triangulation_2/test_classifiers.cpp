@@ -55,7 +55,7 @@ TEST(Edge_filter, proves_the_same_edges_in_one_lane_and_in_all)
 {
   using namespace CGAL::Dynamic_Delaunay_triangulations_2;
   std::mt19937 random(4);
-  std::vector<Position_2> positions(1, {std::nan(""), std::nan("")});
+  Position_vector positions(1, {std::nan(""), std::nan("")});
   for (int i = 0; i < 400; ++i) {
     std::uniform_int_distribution<int> digit(0, 30);
     const double scale = i % 4 == 0 ? 0.1 : i % 4 == 1 ? 0x1p45 : i % 4 == 2 ? 1e-160 : 1;

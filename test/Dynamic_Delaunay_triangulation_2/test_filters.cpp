@@ -25,6 +25,7 @@ namespace internal = CGAL::Dynamic_Delaunay_triangulations_2::internal;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_2;
 using CGAL::Dynamic_Delaunay_triangulations_2::Edge_index;
 using CGAL::Dynamic_Delaunay_triangulations_2::Index;
+using CGAL::Dynamic_Delaunay_triangulations_2::Position_vector;
 using CGAL::Dynamic_Delaunay_triangulations_2::Vertex_index;
 using internal::Edge_slack_2;
 
@@ -43,7 +44,7 @@ struct One_edge
     m_positions.insert(m_positions.end(), q.begin(), q.end());
   }
 
-  const std::vector<Position_2>& positions() const { return m_positions; }
+  const Position_vector& positions() const { return m_positions; }
   const Position_2& position(Vertex_index v) const { return m_positions[v]; }
   bool corners_are_exact(Edge_index) const { return true; }
   const Edge_2& edge(Edge_index = Edge_index(0)) const { return m_edge; }
@@ -54,7 +55,7 @@ struct One_edge
   bool is_delaunay(Edge_index) const { return false; }
 
 private:
-  std::vector<Position_2> m_positions{{NAN, NAN}};
+  Position_vector m_positions{{NAN, NAN}};
   Edge_2 m_edge{};
 };
 
@@ -237,7 +238,7 @@ TEST(Predicates, of_four_edges_at_once_claim_nothing_wrong_for_any_finite_double
 // Expects of each lane, with an edge of its own, what a filter of one lane says of that edge.
 template <int lanes>
 BOOST_FORCEINLINE void expect_what_one_lane_proves(const std::vector<Edge_2>& edges,
-                                                   const std::vector<Position_2>& positions)
+                                                   const Position_vector& positions)
 {
   for (std::size_t first = 0; first + lanes <= edges.size(); first += lanes) {
     const auto edge_at = [&](int i) CGAL_DYNAMIC_DELAUNAY_INLINE -> const Edge_2& {
@@ -260,7 +261,7 @@ TEST(Predicates, of_an_edge_are_the_same_in_any_number_of_lanes)
 {
   Quadruples quadruples(9);
   std::vector<Edge_2> edges;
-  std::vector<Position_2> positions;
+  Position_vector positions;
   for (Index i = 0; i < 20000; ++i) {
     const Quadruple q = quadruples.next();
     Edge_2 edge = One_edge(q).edge();

@@ -458,7 +458,7 @@ private:
   }
 
   Index m_degree;
-  std::vector<Position_2> m_positions;
+  Position_vector m_positions;
 };
 
 // Moves one corner towards the opposite edge, and the ends of this edge towards the corner.
@@ -631,9 +631,8 @@ TEST(Edge_slack, keeps_the_hull_from_turning_back_on_itself_where_it_says_so)
 // -------------------------------------------------------------------------------------------------
 // Which vertices have moved.
 
-std::vector<Vertex_index> moved_vertices(const std::vector<Position_2>& positions,
-                                         const std::vector<Position_2>& references,
-                                         double tolerance)
+std::vector<Vertex_index> moved_vertices(const Position_vector& positions,
+                                         const Position_vector& references, double tolerance)
 {
   std::vector<Vertex_index> vertices;
   EXPECT_TRUE(internal::append_moved(positions, references, tolerance, positions.size(), vertices));
@@ -641,8 +640,8 @@ std::vector<Vertex_index> moved_vertices(const std::vector<Position_2>& position
 }
 
 // Expects exactly the vertices beyond the tolerance, except within a few roundings of it.
-void expect_who_has_moved(const std::vector<Position_2>& positions,
-                          const std::vector<Position_2>& references, double tolerance)
+void expect_who_has_moved(const Position_vector& positions, const Position_vector& references,
+                          double tolerance)
 {
   const auto vertices = moved_vertices(positions, references, tolerance);
   ASSERT_TRUE(std::is_sorted(vertices.begin(), vertices.end()));
@@ -666,7 +665,7 @@ TEST(Displacements, miss_no_vertex_beyond_the_tolerance_at_any_scale_and_place)
     const Placement placement(random);
     const double tolerance = placement.scale * power_of_ten(random, -9, -1);
     const std::size_t vertices = 1 + random() % (round % 10 == 0 ? 3000 : 60);
-    std::vector<Position_2> references(vertices, {std::nan(""), std::nan("")});
+    Position_vector references(vertices, {std::nan(""), std::nan("")});
     auto positions = references;
     for (std::size_t v = 1; v < vertices; ++v) {
       references[v] = any_direction(random);
@@ -693,7 +692,7 @@ TEST(Displacements, tell_the_tolerance_from_the_next_double)
   Generator random(8);
   for (int round = 0; round < 5000; ++round) {
     const double scale = power_of_ten(random, -90, 90);
-    std::vector<Position_2> references(34, {0, 0}), positions(34, {0, 0});
+    Position_vector references(34, {0, 0}), positions(34, {0, 0});
     const Vertex_index v(1 + random() % 33);
     const double x = between(random, -1, 1) * scale;
     positions[v] = {x, between(random, -1, 1) * scale};
@@ -710,7 +709,7 @@ TEST(Displacements, are_the_same_in_any_number_of_lanes)
   Generator random(9);
   for (int round = 0; round < 2000; ++round) {
     const std::size_t vertices = 1 + random() % 100;
-    std::vector<Position_2> references(vertices), positions(vertices);
+    Position_vector references(vertices), positions(vertices);
     for (std::size_t v = 0; v < vertices; ++v) {
       references[v] = any_direction(random);
       positions[v] = step_along(references[v], any_direction(random),
@@ -738,7 +737,7 @@ TEST(Displacements, count_those_who_are_nowhere_as_moved)
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (Vertex_index v(1); v < 40; ++v)
     for (const Position_2& nan_point : {Position_2{nan, 0}, {0, nan}, {nan, nan}, {infinity, 0}}) {
-      const std::vector<Position_2> references(40, {0, 0});
+      const Position_vector references(40, {0, 0});
       auto positions = references;
       positions[v] = nan_point;
       EXPECT_EQ(moved_vertices(positions, references, 1e100), std::vector<Vertex_index>(1, v));
@@ -748,7 +747,7 @@ TEST(Displacements, count_those_who_are_nowhere_as_moved)
 
 TEST(Displacements, are_given_up_when_too_many_have_moved)
 {
-  const std::vector<Position_2> references(3000, {0, 0});
+  const Position_vector references(3000, {0, 0});
   for (const std::size_t count : {0u, 1u, 4u, 5u, 6u, 2999u}) {
     auto positions = references;
     for (std::size_t i = 0; i < count; ++i)
@@ -764,7 +763,7 @@ TEST(Displacements, are_given_up_when_too_many_have_moved)
 TEST(Edge_proofs, of_a_list_are_those_of_the_whole)
 {
   Generator random(10);
-  std::vector<Position_2> positions(1, {std::nan(""), std::nan("")});
+  Position_vector positions(1, {std::nan(""), std::nan("")});
   for (int i = 0; i < 60; ++i) {
     const double x = double(random() % 8);
     positions.push_back({x, double(random() % 8)});

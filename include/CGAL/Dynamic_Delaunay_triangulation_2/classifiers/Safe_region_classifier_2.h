@@ -84,7 +84,7 @@ public:
 private:
   using Vertex_index = Dynamic_Delaunay_triangulations_2::Vertex_index;
   using Edge_index = Dynamic_Delaunay_triangulations_2::Edge_index;
-  using Position = Dynamic_Delaunay_triangulations_2::Position_2;
+  using Positions = Dynamic_Delaunay_triangulations_2::Position_vector;
 
   static constexpr unsigned frames_worth_it = 16, max_rest = 64;
 
@@ -199,7 +199,7 @@ private:
   }
 
   bool m_holds = false;
-  std::vector<Position> m_references;   // the centers of the disks
+  Positions m_references;               // the centers of the disks
   std::size_t m_cell_changes = 0;       // when these were taken
   std::vector<double> m_squared_bounds; // of the disks' radii; negative where there is no disk
   std::vector<double> m_tolerances;     // of each edge

@@ -52,6 +52,9 @@ public:
   /// two doubles, `x` and `y`. If the kernel's coordinates are not doubles, these are the nearest
   /// ones.
   using Position = Dynamic_Delaunay_triangulations_2::Position_2;
+  /// a `std::vector` of positions, indexed by the numbers of vertices, whose `resize()` sets no new
+  /// ones.
+  using Positions = Dynamic_Delaunay_triangulations_2::Position_vector;
   /// four vertices, `source`, `target`, `left` and `right`: the ends of an edge, and the vertices
   /// opposite to it in its two faces.
   using Edge = Dynamic_Delaunay_triangulations_2::Edge_2;
@@ -109,7 +112,7 @@ public:
   /// the position of vertex `v`; NaNs for the infinite vertex.
   const Position& position(Vertex_index v) const { return m_state->positions()[v]; }
   /// the positions of all vertices, indexed by their numbers.
-  const std::vector<Position>& positions() const { return m_state->positions(); }
+  const Positions& positions() const { return m_state->positions(); }
   /// the position of vertex `v` one frame ago, in periodic space the image of it that is nearest to
   /// the present position. Valid only while classifying.
   Position previous_position(Vertex_index v) const { return m_state->previous_position(v); }
@@ -194,7 +197,7 @@ public:
   /// vertex.
   Corners corners(Edge_index e) const { return m_state->corners(e); }
   /// the corners of edge `e` for other positions, indexed by vertex numbers.
-  Corners corners(Edge_index e, const std::vector<Position>& positions) const
+  Corners corners(Edge_index e, const Positions& positions) const
   {
     return m_state->corners(e, positions);
   }
@@ -286,8 +289,8 @@ public:
   /// updates per-vertex data, indexed by vertex numbers from 0 on, after vertices were inserted or
   /// removed, if not everything is new. Moves the data of vertices whose numbers changed, and
   /// appends `make(v)` for every inserted vertex `v`. Cost: proportional to the number of both.
-  template <class T, class Make>
-  void follow_vertices(std::vector<T>& data, const Make& make) const
+  template <class T, class Allocator, class Make>
+  void follow_vertices(std::vector<T, Allocator>& data, const Make& make) const
   {
     m_state->changes().renumberings.vertices.follow(data, number_of_vertices() + std::size_t(1),
                                                     make);

@@ -120,8 +120,8 @@ public:
 
   // Renumbers `data`, one entry per element, in the same way. `make(i)` makes the entry of an added
   // element, whose number is i.
-  template <class T, class Make>
-  void follow(std::vector<T>& data, std::size_t size, const Make& make) const
+  template <class T, class Allocator, class Make>
+  void follow(std::vector<T, Allocator>& data, std::size_t size, const Make& make) const
   {
     std::unordered_set<Index> come; // added elements that have the number of a removed one
     for (const auto& [from, to] : m_moves) {

@@ -57,7 +57,7 @@ public:
 
   static constexpr bool points_are_two_doubles = is_two_doubles<Point>;
   using Stored_point = std::conditional_t<points_are_two_doubles, Position_2, Point>;
-  using Points = std::vector<Stored_point>;
+  using Points = Uninitialized_vector<Stored_point>;
 
   Indexed_storage_2() = default;
   // A copy has no numbers of edges.
@@ -109,7 +109,7 @@ public:
     reserve_extra(m_points, 1);
     reserve_extra(m_arrays.m_corner, 1);
     m_vertex_data.resize(m_points.size() + 1);
-    m_points.emplace_back();
+    m_points.push_back(Stored_point());
     m_arrays.m_corner.push_back(null_index);
     return Vertex_index(m_arrays.m_corner.size() - 1);
   }

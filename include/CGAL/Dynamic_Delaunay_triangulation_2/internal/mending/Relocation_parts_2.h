@@ -235,8 +235,8 @@ private:
   const State& m_state;
   Editor& m_editor;
   std::vector<Part> m_parts;
-  std::vector<Position_2> m_positions; // of the list
-  Divided_list<Index> m_places;        // in the list
+  Position_vector m_positions;  // of the list
+  Divided_list<Index> m_places; // in the list
   std::vector<Index> m_left;
 };
 

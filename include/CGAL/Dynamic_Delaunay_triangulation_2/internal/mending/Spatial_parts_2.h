@@ -38,7 +38,7 @@ public:
   static constexpr std::size_t max_number = 32;
 
   // The borders of parts in different rounds have little in common.
-  Spatial_parts_2(const State& state, const std::vector<Position_2>& positions, std::size_t parts,
+  Spatial_parts_2(const State& state, const Position_vector& positions, std::size_t parts,
                   unsigned round)
     : m_state(state)
   {
@@ -93,7 +93,7 @@ private:
   };
 
   // The curve has its longest borders in the middle. In later rounds that is elsewhere.
-  void lay_grid(const std::vector<Position_2>& positions, unsigned round)
+  void lay_grid(const Position_vector& positions, unsigned round)
   {
     Position_2 low = positions.front(), high = low;
     for (std::size_t i = 0; i < positions.size(); i += stride(positions)) {
@@ -108,7 +108,7 @@ private:
   }
 
   // Looks at some thousands of the positions.
-  static std::size_t stride(const std::vector<Position_2>& positions)
+  static std::size_t stride(const Position_vector& positions)
   {
     return 1 + positions.size() / 8192;
   }
@@ -149,7 +149,7 @@ void work_in_divisions(const State& state, const Pieces& pieces, const Vertex_of
   const auto position = [&](Vertex_index v) {
     return state.position_in_order(state.positions()[v]);
   };
-  std::vector<Position_2> positions;
+  Position_vector positions;
   for (std::size_t i = 0; i < left; i += 1 + left / most)
     positions.push_back(position(vertex(i)));
   const std::size_t number = (std::max)(topology.number() / 4, State::Parts::least_shared);

@@ -499,16 +499,16 @@ private:
   Vertex_order_2<State> m_meeting_order;
   Relocation_parts_2<State> m_parts;
   Spatial_order_2 m_order;
-  std::vector<Point_id> m_ids;         // of the points to put in, first those that have parted
-  std::vector<Position_2> m_positions; // to put in
-  std::vector<Index> m_numbers;        // of these, in this order
-  Polygon m_polygon;                   // around the vertex that goes or comes
-  std::size_t m_replaced = 0;          // faces that the last vertex has replaced
-  std::vector<Vertex_index> m_rest;    // vertices for remove_rest()
-  std::vector<Slot> m_waiting;         // of vertices that jumped
-  std::vector<Slot> m_empty;           // of vertices without points
-  std::vector<Slot> m_slots;           // of the positions to put in
-  std::vector<Index> m_without_slot;   // of these, those that need new ones
+  std::vector<Point_id> m_ids;       // of the points to put in, first those that have parted
+  Position_vector m_positions;       // to put in
+  std::vector<Index> m_numbers;      // of these, in this order
+  Polygon m_polygon;                 // around the vertex that goes or comes
+  std::size_t m_replaced = 0;        // faces that the last vertex has replaced
+  std::vector<Vertex_index> m_rest;  // vertices for remove_rest()
+  std::vector<Slot> m_waiting;       // of vertices that jumped
+  std::vector<Slot> m_empty;         // of vertices without points
+  std::vector<Slot> m_slots;         // of the positions to put in
+  std::vector<Index> m_without_slot; // of these, those that need new ones
   std::vector<Point_id> m_coming_ids;
   std::vector<Point> m_coming_points;
 };

@@ -41,7 +41,7 @@ inline bool is_at_infinity(const Edge_2& edge)
 
 // True if an edge at infinity has a finite face that is not counterclockwise, or a finite end at
 // which the hull turns right. False for all other edges.
-inline bool breaks_hull(const Edge_2& edge, const std::vector<Position_2>& positions)
+inline bool breaks_hull(const Edge_2& edge, const Position_vector& positions)
 {
   const auto orientation = [&](Vertex_index p, Vertex_index q, Vertex_index r) {
     return cross(positions[q] - positions[p], positions[r] - positions[p]);

@@ -22,6 +22,10 @@ struct Position_2
   double x, y;
 };
 
+/// Positions, by the numbers of their vertices. A `std::vector` whose `resize()` sets no new ones,
+/// so that threads that set them get their memory from the operating system, too.
+using Position_vector = internal::Uninitialized_vector<Position_2>;
+
 /// An edge with its two opposite vertices: (left, source, target) and (right, target, source) are
 /// the two faces at the edge, both counterclockwise.
 struct Edge_2

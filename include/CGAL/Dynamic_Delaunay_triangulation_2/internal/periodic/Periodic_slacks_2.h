@@ -38,7 +38,7 @@ struct Periodic_slacks_2
   }
 
   template <class Frame>
-  static bool is_safe(const Frame& frame, Edge_index e, const std::vector<Position_2>& references,
+  static bool is_safe(const Frame& frame, Edge_index e, const Position_vector& references,
                       double tolerance)
   {
     const auto& state = frame.state();
@@ -59,8 +59,7 @@ struct Periodic_slacks_2
 
   // A distance from the references up to which the edge is safe; negative if there is none.
   template <class Frame>
-  static double tolerance(const Frame& frame, Edge_index e,
-                          const std::vector<Position_2>& references)
+  static double tolerance(const Frame& frame, Edge_index e, const Position_vector& references)
   {
     if (frame.is_at_infinity(e))
       return -1;
@@ -81,7 +80,7 @@ private:
 
   template <class Frame>
   static Edge_images_2 corners_of(const Frame& frame, Edge_index e,
-                                  const std::vector<Position_2>& positions)
+                                  const Position_vector& positions)
   {
     return frame.state().corners_at(frame.state().arrays().halfedge(e), positions);
   }

@@ -150,7 +150,7 @@ private:
     try {
       m_writer.changes().everything_is_new = true;
       m_writer.positions().forget_previous();
-      ids().reset(all.number_of_ids);
+      ids().template reset<Parts>(all.number_of_ids);
       if (!all.ids.empty() && !triangulate(all.ids, all.points))
         insert(all.ids, all.points, number_of_first(all.ids, before.ids()));
       ids().finish_numbering();
@@ -306,8 +306,8 @@ private:
   template <class Function>
   void write_points(std::size_t vertices, const Function& point)
   {
-    std::vector<typename Positions::Stored_point> points;
-    std::vector<Position_2> positions;
+    Uninitialized_vector<typename Positions::Stored_point> points;
+    Position_vector positions;
     m_writer.positions().template collect<Parts>(vertices, point, points, positions);
     m_writer.positions().exchange(points, positions);
   }

@@ -132,7 +132,7 @@ public:
   const Argument& argument() const { return m_torus.cell(); }
   const Torus_2& torus() const { return m_torus; }
   const Halfedge_arrays_2& arrays() const { return m_arrays; }
-  const std::vector<Position_2>& positions() const { return m_positions.positions(); }
+  const Position_vector& positions() const { return m_positions.positions(); }
   Index number_of_vertices() const { return Index(m_points.size()) - 1; }
   // There are faces as soon as there is a vertex.
   bool spans_plane() const { return number_of_vertices() > 0; }
@@ -140,7 +140,7 @@ public:
   const Periodic_shift_2& shift(Halfedge_index corner) const { return m_shifts[corner]; }
   Image_2 image(Halfedge_index corner) const { return image(corner, positions()); }
   // The image if the vertices have these positions.
-  Image_2 image(Halfedge_index corner, const std::vector<Position_2>& positions) const
+  Image_2 image(Halfedge_index corner, const Position_vector& positions) const
   {
     return {positions[m_arrays.apex(corner)], m_shifts[corner]};
   }
@@ -182,7 +182,7 @@ public:
 
   // The corners of the faces at half-edge h, in the chart of its face.
   Edge_images_2 corners_at(Halfedge_index h) const { return corners_at(h, positions()); }
-  Edge_images_2 corners_at(Halfedge_index h, const std::vector<Position_2>& positions) const
+  Edge_images_2 corners_at(Halfedge_index h, const Position_vector& positions) const
   {
     using Arrays = Halfedge_arrays_2;
     Image_2 right = image(m_arrays.twin(h), positions);
@@ -376,7 +376,7 @@ public:
 
   bool corners_are_exact(Edge_index e) const { return !is_shifted(e); }
   Edge_corners_2 corners(Edge_index e) const { return corners(e, positions()); }
-  Edge_corners_2 corners(Edge_index e, const std::vector<Position_2>& positions) const
+  Edge_corners_2 corners(Edge_index e, const Position_vector& positions) const
   {
     if (!is_shifted(e))
       return Plane_2::corners(m_arrays.edge(e), positions);
@@ -478,10 +478,12 @@ private:
                                                     : m_torus.vector(from, to, ignored);
   }
 
+  using Stored_points = Uninitialized_vector<typename Point_arrays_2<Point>::Stored_point>;
+
   Torus_2 m_torus;
   Writable_halfedge_arrays_2 m_arrays;
   Shifts m_shifts;
-  std::vector<typename Point_arrays_2<Point>::Stored_point> m_points; // indexed by vertices
+  Stored_points m_points; // indexed by vertices
   Writable_positions_2<Point> m_positions;
   std::size_t m_cell_changes = 0;
   std::optional<Deformation> m_deformation; // until the call ends

@@ -82,9 +82,8 @@ append_moved_in_lanes(const Position_2* positions, const Position_2* references,
 
 // Appends all finite vertices that are not proved to be within `tolerance` of their references.
 // Returns false, and may leave vertices out, if they are more than `most`.
-inline bool append_moved(const std::vector<Position_2>& positions,
-                         const std::vector<Position_2>& references, double tolerance,
-                         std::size_t most, std::vector<Vertex_index>& moved)
+inline bool append_moved(const Position_vector& positions, const Position_vector& references,
+                         double tolerance, std::size_t most, std::vector<Vertex_index>& moved)
 {
   const double bound = squared_bound(tolerance);
   const Index vertices = Index(positions.size());
@@ -247,7 +246,7 @@ struct Plane_slacks_2
 
   // Whether the edge is safe while no corner is farther than `tolerance` from its reference.
   template <class Frame>
-  static bool is_safe(const Frame& frame, Edge_index e, const std::vector<Position_2>& references,
+  static bool is_safe(const Frame& frame, Edge_index e, const Position_vector& references,
                       double tolerance)
   {
     return slack(frame, e, references).is_safe(tolerance);
@@ -255,15 +254,13 @@ struct Plane_slacks_2
 
   // A distance from the references up to which the edge is safe; negative if there is none.
   template <class Frame>
-  static double tolerance(const Frame& frame, Edge_index e,
-                          const std::vector<Position_2>& references)
+  static double tolerance(const Frame& frame, Edge_index e, const Position_vector& references)
   {
     return slack(frame, e, references).tolerance();
   }
 
   template <class Frame>
-  static Edge_slack_2 slack(const Frame& frame, Edge_index e,
-                            const std::vector<Position_2>& positions)
+  static Edge_slack_2 slack(const Frame& frame, Edge_index e, const Position_vector& positions)
   {
     return Edge_slack_2(frame.edge(e), frame.corners(e, positions));
   }

@@ -98,9 +98,8 @@ append_unproved_in_lanes(const Pass& pass, const Position_2* positions, std::siz
 }
 
 template <class Space, class Pass>
-void append_unproved_of_pass(const Pass& pass, const std::vector<Position_2>& positions,
-                             std::size_t first, std::size_t beyond,
-                             std::vector<Edge_index>& unproved)
+void append_unproved_of_pass(const Pass& pass, const Position_vector& positions, std::size_t first,
+                             std::size_t beyond, std::vector<Edge_index>& unproved)
 {
   const Position_2* const places = positions.data();
   call_with_lanes([=, &unproved](auto lanes) CGAL_DYNAMIC_DELAUNAY_INLINE {
@@ -149,7 +148,7 @@ struct Listed_edges_2 : Consecutive_edges_2
 };
 
 template <class Space>
-void append_unproved(const Edge_2* edges, const std::vector<Position_2>& positions, Index first,
+void append_unproved(const Edge_2* edges, const Position_vector& positions, Index first,
                      Index beyond, std::vector<Edge_index>& unproved)
 {
   constexpr Index last_ones = Prefetched_edges_2::far_ahead;
@@ -162,7 +161,7 @@ void append_unproved(const Edge_2* edges, const std::vector<Position_2>& positio
 }
 
 template <class Space>
-void append_unproved_of(const Edge_2* edges, const std::vector<Position_2>& positions,
+void append_unproved_of(const Edge_2* edges, const Position_vector& positions,
                         const std::vector<Edge_index>& list, std::vector<Edge_index>& unproved)
 {
   append_unproved_of_pass<Space>(Listed_edges_2{{edges}, list.data()}, positions, 0, list.size(),

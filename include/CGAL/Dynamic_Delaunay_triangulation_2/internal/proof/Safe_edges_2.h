@@ -241,8 +241,8 @@ private:
   bool m_holds = false;
   double m_tolerance = 0;
   double m_typical_step = 0;
-  std::vector<Position_2> m_references; // of each vertex
-  std::size_t m_cell_changes = 0;       // before the references were taken
+  Position_vector m_references;   // of each vertex
+  std::size_t m_cell_changes = 0; // before the references were taken
   Index_set<Edge_index> m_tight;
   bool m_hull_is_checked = false;
   bool m_hull_is_safe = false; // it turns around once while no vertex leaves the tolerance

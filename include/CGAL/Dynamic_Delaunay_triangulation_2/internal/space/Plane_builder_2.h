@@ -301,8 +301,8 @@ private:
   void triangulate_numbered()
   {
     Ids& ids = m_numbering.ids();
-    std::vector<Stored_point> points;
-    std::vector<Position_2> positions;
+    Uninitialized_vector<Stored_point> points;
+    Position_vector positions;
     m_positions.template collect<Parts>(
         ids.number_of_representatives(),
         [this](Vertex_index v) -> const Point& { return m_numbering.point(v); }, points, positions);
@@ -408,11 +408,11 @@ private:
 
   void restore_vertices(Checkpoint_arrays_2<Point>& kept)
   {
-    std::vector<Stored_point> points(kept.points.size() + 1);
+    Uninitialized_vector<Stored_point> points(kept.points.size() + 1);
     points.front() = m_positions.stored(infinite_index);
     for (std::size_t i = 0; i < kept.points.size(); ++i)
       points[i + 1] = Arrays::stored(kept.positions[i], kept.points[i]);
-    std::vector<Position_2> positions;
+    Position_vector positions;
     if constexpr (!Positions::points_are_two_doubles) {
       positions.push_back(nan_point());
       positions.insert(positions.end(), kept.positions.begin(), kept.positions.end());

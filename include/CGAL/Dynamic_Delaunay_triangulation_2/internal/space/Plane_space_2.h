@@ -170,7 +170,7 @@ public:
 
   // POSITIONS -----------------------------------------------------------------------------------
 
-  const std::vector<Position_2>& positions() const { return m_positions.positions(); }
+  const Position_vector& positions() const { return m_positions.positions(); }
   decltype(auto) point(Vertex_index v) const { return m_positions.point(v); }
   bool have_points_moved() const { return m_positions.have_moved(); }
   bool is_frame_at_rest() const { return positions_are_exact() && m_positions.is_frame_at_rest(); }
@@ -202,7 +202,7 @@ public:
   // The corners of an edge, as seen from the edge.
   Edge_corners_2 corners(Edge_index e) const { return corners(e, positions()); }
   // The corners of an edge if the vertices had other positions.
-  Edge_corners_2 corners(Edge_index e, const std::vector<Position_2>& others) const
+  Edge_corners_2 corners(Edge_index e, const Position_vector& others) const
   {
     return Plane_2::corners(arrays().edge(e), others);
   }

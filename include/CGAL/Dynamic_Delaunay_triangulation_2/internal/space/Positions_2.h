@@ -64,7 +64,7 @@ public:
   Positions_2& operator=(const Positions_2&) = delete;
 
   // The points, rounded if their coordinates are not doubles. Indexed by vertices.
-  const std::vector<Position_2>& positions() const
+  const Position_vector& positions() const
   {
     if constexpr (points_are_two_doubles)
       return m_points;
@@ -84,7 +84,7 @@ public:
   // first vertices has moved, that takes no time.
   bool is_frame_at_rest() const
   {
-    const std::vector<Position_2>& previous = previous_positions();
+    const Position_vector& previous = previous_positions();
     return m_is_frame && are_exact() &&
            std::memcmp(&positions()[1], &previous[1], (previous.size() - 1) * sizeof(Position_2)) ==
                0;
@@ -108,7 +108,7 @@ public:
 
 protected:
   // The first of the points must be that of the infinite vertex.
-  explicit Positions_2(std::vector<Stored_point>& points)
+  explicit Positions_2(Uninitialized_vector<Stored_point>& points)
     : m_points(points)
     , m_positions(points_are_two_doubles ? 0 : 1, nan_point())
   {
@@ -117,7 +117,7 @@ protected:
   }
 
   // Those of the last frame, while it is known.
-  const std::vector<Position_2>& previous_positions() const
+  const Position_vector& previous_positions() const
   {
     if constexpr (points_are_two_doubles)
       return m_other_points;
@@ -138,12 +138,13 @@ protected:
     return moved != m_moved.end() && moved->first == v ? &moved->second : &m_points[v];
   }
 
-  std::vector<Stored_point>& m_points; // those of the data structure
-  std::vector<Position_2> m_positions; // empty if points are two doubles
-  std::vector<Stored_point> m_other_points;
-  std::vector<Position_2> m_other_positions;
-  std::vector<Stored_point> m_target_points; // while the vertices have stopped on their way
-  std::vector<Position_2> m_target_positions;
+  Uninitialized_vector<Stored_point>& m_points; // those of the data structure
+  Position_vector m_positions;                  // empty if points are two doubles
+  Uninitialized_vector<Stored_point> m_other_points;
+  Position_vector m_other_positions;
+  // While the vertices have stopped on their way.
+  Uninitialized_vector<Stored_point> m_target_points;
+  Position_vector m_target_positions;
   bool m_have_stopped = false;
   std::vector<std::pair<Vertex_index, Stored_point>> m_moved; // single points, with former places
   bool m_is_frame = false; // the other arrays hold the previous frame

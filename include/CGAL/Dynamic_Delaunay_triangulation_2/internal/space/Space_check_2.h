@@ -71,7 +71,7 @@ constexpr bool is_space()
 
   static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<const Halfedge_arrays_2&>(s.arrays())),
                 "arrays() are the half-edges");
-  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<const std::vector<Position_2>&>(s.positions()),
+  static_assert(CGAL_DYNAMIC_DELAUNAY_ANSWERS(as<const Position_vector&>(s.positions()),
                                               as<bool>(s.positions_are_exact())),
                 "positions() of the vertices are rounded; positions_are_exact(), whether signs "
                 "may be concluded from them");
