@@ -33,8 +33,9 @@
 // from which they bounce: a `slab`, a round `pipe`, a square `duct`, beside a `cube` without walls;
 // in `slab_walls` and `duct_walls` a third of them slides along the walls, and in a `layer` all do,
 // which are in one plane. They are a tenth as many as elsewhere, in 20 times as many frames, and as
-// many in as many. `open` is as above, `anew` the construction, `/anew` the median of the updates
-// that were rebuilds over that.
+// many in as many. `open` is as above, but starts again in every twentieth frame, as points drift
+// apart there; `anew` is the construction, `/anew` the median of the updates that were rebuilds
+// over that.
 //
 // `out of it` are nanoseconds a point of what comes out of a triangulation, beside the same by
 // CGAL's Delaunay triangulation: lists of all neighbors, volumes of all Voronoi cells, alone and
