@@ -477,6 +477,27 @@ TEST_P(Checkpoints_in_periodic_space, go_on_as_if_nothing_had_been)
     }
 }
 
+// How far points have been decides what filters may prove: a checkpoint has it, and the next frame
+// measures anew.
+TEST_P(Checkpoints_in_periodic_space, go_on_alike_after_a_point_has_been_far_away)
+{
+  Points points = short_points_in(oblique, 30);
+  Dynamic dt(points, oblique), never_away(points, oblique);
+  dt.move(3, image(points[3], {500, 0, 0}, oblique));
+  dt.move(3, points[3]);
+  EXPECT_NE(written(dt), written(never_away));
+  Dynamic other(unit);
+  std::istringstream in(written(dt));
+  other.read_checkpoint(in);
+  std::mt19937_64 random(1);
+  for (Point& p : points)
+    p = near(p, 0.01, random);
+  for (Dynamic* const each : {&dt, &other, &never_away})
+    each->update(points);
+  EXPECT_EQ(written(dt), written(other));
+  EXPECT_EQ(written(dt), written(never_away));
+}
+
 TEST_P(Checkpoints_in_periodic_space, keep_populations)
 {
   Population population{Dynamic(oblique)};
