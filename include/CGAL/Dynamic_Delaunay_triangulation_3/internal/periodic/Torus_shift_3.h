@@ -78,8 +78,8 @@ public:
                                        double(i / side / side - side / 2) * vectors[2];
   }
 
-  // Of a code, those for which the table has no place: none if it has the translation. Of several
-  // shifts, they may be tested at once.
+  // The bits of a shift that the table has no place for: 0 if it has the translation. Those of
+  // several shifts may be joined, and tested once.
   BOOST_FORCEINLINE static int bits_beyond_table(Torus_shift_3 shift)
   {
     return (shift.code + middle) & ~table;
