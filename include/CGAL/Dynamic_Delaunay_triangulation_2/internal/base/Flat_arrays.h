@@ -195,15 +195,19 @@ bool make_distinct_by_bits(std::vector<Index_of_kind>& indices)
   return true;
 }
 
-// Sorts the indices and removes repeated ones. If they are many, sorting takes some 50 ns each.
+// Sorts the indices and removes repeated ones. If they are many, sorting takes some 50 ns each. It
+// is compiled once for indices of all kinds, which makes a WebAssembly module 4 kB smaller.
 template <class Index_of_kind>
 void make_distinct(std::vector<Index_of_kind>& indices)
 {
   if (make_distinct_by_bits(indices))
     return;
-  boost::sort::spreadsort::integer_sort(indices.begin(), indices.end(),
-                                        [](Index i, unsigned digits) { return i >> digits; });
-  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
+  std::vector<Index> numbers(indices.begin(), indices.end());
+  boost::sort::spreadsort::integer_sort(numbers.begin(), numbers.end());
+  const auto beyond = std::unique(numbers.begin(), numbers.end());
+  indices.erase(std::transform(numbers.begin(), beyond, indices.begin(),
+                               [](Index i) { return Index_of_kind(i); }),
+                indices.end());
 }
 
 // The same, by bits that threads set and read, if the indices are many.

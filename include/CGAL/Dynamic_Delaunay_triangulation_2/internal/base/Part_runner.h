@@ -10,9 +10,11 @@
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#if TBB_INTERFACE_VERSION >= 12000 // older ones have it as a preview that programs must ask for
+#include <tbb/global_control.h>
+#endif
 #endif
 
 #include <algorithm>
@@ -57,10 +59,14 @@ public:
   {
 #ifdef CGAL_LINKED_WITH_TBB
     if constexpr (is_parallel) {
-      using Control = tbb::global_control;
       const std::size_t of_arena = std::size_t(tbb::this_task_arena::max_concurrency());
+#if TBB_INTERFACE_VERSION >= 12000
+      using Control = tbb::global_control;
       const std::size_t allowed = Control::active_value(Control::max_allowed_parallelism);
       return (std::max)((std::min)(of_arena, allowed), std::size_t(1));
+#else
+      return of_arena;
+#endif
     }
 #endif
     return 1;

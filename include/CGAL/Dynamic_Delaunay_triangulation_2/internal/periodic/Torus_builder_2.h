@@ -197,7 +197,7 @@ private:
     if (m_engine != Static_engine_2::GUIBAS_STOLFI)
       return false;
     Torus_triangulator_2<Parts> triangulator;
-    Uninitialized_vector<Position_2> positions(points.size());
+    Position_vector positions(points.size());
     Parts::for_each_element(points.size(),
                             [&](std::size_t i) { positions[i] = approximation(points[i]); });
     if (!triangulator.run(m_state.torus(), positions))
@@ -208,7 +208,7 @@ private:
     write_points(vertices, [&](Vertex_index v) { return points[faces.points[v]]; });
     write_faces(faces, [&] {
       triangulator.release();
-      Uninitialized_vector<Position_2>().swap(positions);
+      Position_vector().swap(positions);
     });
     ids().resize(Index(vertices));
     Parts::for_each_element(vertices, [&](std::size_t i) {
@@ -306,7 +306,7 @@ private:
   template <class Function>
   void write_points(std::size_t vertices, const Function& point)
   {
-    Uninitialized_vector<typename Positions::Stored_point> points;
+    typename Positions::Stored_points points;
     Position_vector positions;
     m_writer.positions().template collect<Parts>(vertices, point, points, positions);
     m_writer.positions().exchange(points, positions);

@@ -478,12 +478,10 @@ private:
                                                     : m_torus.vector(from, to, ignored);
   }
 
-  using Stored_points = Uninitialized_vector<typename Point_arrays_2<Point>::Stored_point>;
-
   Torus_2 m_torus;
   Writable_halfedge_arrays_2 m_arrays;
   Shifts m_shifts;
-  Stored_points m_points; // indexed by vertices
+  typename Point_arrays_2<Point>::Stored_points m_points; // indexed by vertices
   Writable_positions_2<Point> m_positions;
   std::size_t m_cell_changes = 0;
   std::optional<Deformation> m_deformation; // until the call ends

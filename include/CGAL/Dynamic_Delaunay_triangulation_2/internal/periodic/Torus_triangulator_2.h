@@ -99,7 +99,7 @@ public:
 
   void release()
   {
-    Uninitialized_vector<Position_2>().swap(m_positions);
+    Position_vector().swap(m_positions);
     Uninitialized_vector<Index>().swap(m_points);
     Uninitialized_vector<Periodic_shift_2>().swap(m_shifts);
   }
@@ -108,7 +108,7 @@ public:
   Index point_of(Vertex_index image) const { return m_points[image]; }
   const Periodic_shift_2& shift(Vertex_index image) const { return m_shifts[image]; }
 
-  const Uninitialized_vector<Position_2>& positions() const { return m_positions; }
+  const Position_vector& positions() const { return m_positions; }
   static constexpr bool positions_are_exact() { return true; }
   Traits::Point_2 point(Vertex_index image) const
   {
@@ -117,7 +117,7 @@ public:
   const Traits& traits() const { return m_traits; }
 
 private:
-  Uninitialized_vector<Position_2> m_positions;
+  Position_vector m_positions;
   Uninitialized_vector<Index> m_points;
   Uninitialized_vector<Periodic_shift_2> m_shifts;
   Traits m_traits;

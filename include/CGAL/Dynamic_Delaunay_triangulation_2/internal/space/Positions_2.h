@@ -27,6 +27,7 @@ struct Point_arrays_2
 {
   static constexpr bool points_are_two_doubles = is_two_doubles<Point>;
   using Stored_point = std::conditional_t<points_are_two_doubles, Position_2, Point>;
+  using Stored_points = Uninitialized_vector<Stored_point>; // indexed by vertices
 
   static Point as_point(const Position_2& p)
   {
@@ -55,6 +56,7 @@ class Positions_2
 
 public:
   using Stored_point = typename Arrays::Stored_point;
+  using Stored_points = typename Arrays::Stored_points;
   static constexpr bool points_are_two_doubles = Arrays::points_are_two_doubles;
 
   // Whether place() can put a vertex anywhere.
@@ -108,7 +110,7 @@ public:
 
 protected:
   // The first of the points must be that of the infinite vertex.
-  explicit Positions_2(Uninitialized_vector<Stored_point>& points)
+  explicit Positions_2(Stored_points& points)
     : m_points(points)
     , m_positions(points_are_two_doubles ? 0 : 1, nan_point())
   {
@@ -138,12 +140,12 @@ protected:
     return moved != m_moved.end() && moved->first == v ? &moved->second : &m_points[v];
   }
 
-  Uninitialized_vector<Stored_point>& m_points; // those of the data structure
-  Position_vector m_positions;                  // empty if points are two doubles
-  Uninitialized_vector<Stored_point> m_other_points;
+  Stored_points& m_points;     // those of the data structure
+  Position_vector m_positions; // empty if points are two doubles
+  Stored_points m_other_points;
   Position_vector m_other_positions;
   // While the vertices have stopped on their way.
-  Uninitialized_vector<Stored_point> m_target_points;
+  Stored_points m_target_points;
   Position_vector m_target_positions;
   bool m_have_stopped = false;
   std::vector<std::pair<Vertex_index, Stored_point>> m_moved; // single points, with former places

@@ -45,9 +45,10 @@ public:
   using Base::have_moved;
   using Base::points_are_two_doubles;
   using typename Base::Stored_point;
+  using typename Base::Stored_points;
 
   // The first of the points must be that of the infinite vertex.
-  explicit Writable_positions_2(Uninitialized_vector<Stored_point>& points)
+  explicit Writable_positions_2(Stored_points& points)
     : Base(points)
   {
   }
@@ -101,7 +102,7 @@ public:
   }
 
   // The points of the last frame, indexed by vertices.
-  const Uninitialized_vector<Stored_point>& previous_points() const { return m_other_points; }
+  const Stored_points& previous_points() const { return m_other_points; }
 
   // SINGLE POINTS -------------------------------------------------------------------------------
 
@@ -262,8 +263,8 @@ public:
   // Collects the points of other vertices, where vertex v has the point `point(v)`, for exchange().
   // Threads share the vertices.
   template <class Parts, class Function>
-  void collect(std::size_t vertices, const Function& point,
-               Uninitialized_vector<Stored_point>& points, Position_vector& positions) const
+  void collect(std::size_t vertices, const Function& point, Stored_points& points,
+               Position_vector& positions) const
   {
     points.resize(vertices + 1);
     points.front() = m_points.front();
@@ -280,7 +281,7 @@ public:
   void set_exactness(bool are_exact) { m_are_exact = are_exact; }
 
   // Exchanges the points of all vertices, and the positions if they are stored separately.
-  void exchange(Uninitialized_vector<Stored_point>& points, Position_vector& positions)
+  void exchange(Stored_points& points, Position_vector& positions)
   {
     m_points.swap(points);
     m_positions.swap(positions);
