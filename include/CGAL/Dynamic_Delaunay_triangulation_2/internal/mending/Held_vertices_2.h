@@ -19,9 +19,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
 #include <vector>
 
 namespace CGAL::Dynamic_Delaunay_triangulations_2::internal {
@@ -120,7 +122,8 @@ public:
   {
     constexpr std::size_t pieces = 4, // of work: a vertex and the flips around it
         enough = 32;                  // of which one moves
-    list_waiting();
+    m_waiting.resize(m_held.size());
+    std::iota(m_waiting.begin(), m_waiting.end(), Index(0)); // this round has tried none
     work_in_divisions(
         m_state, [this] { return pieces * m_waiting.size(); },
         [this](std::size_t i) { return m_held[m_waiting[i / pieces]].vertex; },
@@ -139,22 +142,25 @@ public:
       if (!m_changed.empty())
         flip(m_changed);
     }
-    const auto moved = std::size_t(std::count_if(m_held.begin(), m_held.end(),
-                                                 [](const Held& held) { return held.share > 0; }));
-    const bool have_enough_moved = enough * moved > m_held.size();
+    const std::size_t tried = m_held.size();
+    std::atomic<std::size_t> moved{0};
     m_kept.clear();
     append_by_parts<Parts>(m_held.size(), Parts::size_for(32), m_kept,
                            [&](std::size_t i, std::size_t beyond, std::vector<Held>& kept) {
-                             for (; i < beyond; ++i)
+                             std::size_t moved_here = 0;
+                             for (; i < beyond; ++i) {
+                               moved_here += m_held[i].share > 0;
                                if (m_held[i].share == 1)
                                  m_bonds[m_held[i].vertex] = Bond::FREE;
                                else {
                                  kept.push_back(m_held[i]);
                                  kept.back().share = untried;
                                }
+                             }
+                             moved.fetch_add(moved_here, std::memory_order_relaxed);
                            });
     m_held.swap(m_kept);
-    return have_enough_moved;
+    return enough * moved > tried;
   }
 
   // Moves on those whose stars are inside of the part; release() moves the others, and counts

@@ -246,6 +246,21 @@ struct Location_hint_2
   Index spread;
 };
 
+// The hint, or one that is nearer to v. Where v has gone a short way, the vertex with the number
+// before its own is near: numbers follow a curve.
+template <class State, class Is_free = All_vertices_2>
+Location_hint_2 nearer_hint(const State& state, Vertex_index v, const Location_hint_2& hint,
+                            const Is_free& is_free = Is_free())
+{
+  constexpr Index few = 4;
+  const Vertex_target_2<State> target(state, v);
+  const Vertex_index before(v - 1);
+  const bool is_nearer =
+      before != infinite_index && is_free(before) && !state.arrays().is_outside(before) &&
+      target.rounded_squared_distance(before) < target.rounded_squared_distance(hint.nearby);
+  return is_nearer ? Location_hint_2{before, few} : hint;
+}
+
 // Locates a vertex that is in no face.
 template <class State, class Is_free = All_vertices_2>
 Location_2<State> locate_vertex(const State& state, Vertex_index v, const Location_hint_2& hint,

@@ -95,7 +95,8 @@ public:
       const Slot* const s = slot(i);
       if (mine.nearby == null_index || s == nullptr)
         return false;
-      const Location location = locate_vertex(m_state, s->vertex, {mine.nearby, spread}, is_free);
+      const Location_hint_2 hint = nearer_hint(m_state, s->vertex, {mine.nearby, spread}, is_free);
+      const Location location = locate_vertex(m_state, s->vertex, hint, is_free);
       mine.steps += location.steps;
       if (location.face == null_index || !location.is_inside ||
           !mine.polygon.find_as_delaunay(m_state, location.face, location.chart, s->vertex,
@@ -221,7 +222,8 @@ private:
       if (s == nullptr)
         continue;
       const Location location =
-          locate_vertex(m_state, s->vertex, {anywhere, m_state.number_of_vertices()});
+          locate_vertex(m_state, s->vertex,
+                        nearer_hint(m_state, s->vertex, {anywhere, m_state.number_of_vertices()}));
       steps += location.steps;
       for (const Vertex_index w : m_state.arrays().face(location.face))
         if (parts.has_vertex(part, w))

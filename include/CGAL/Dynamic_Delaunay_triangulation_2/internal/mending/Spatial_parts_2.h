@@ -154,7 +154,8 @@ void work_in_divisions(const State& state, const Pieces& pieces, const Vertex_of
     positions.push_back(position(vertex(i)));
   const std::size_t number = (std::max)(topology.number() / 4, State::Parts::least_shared);
   const Spatial_parts_2<State> parts(state, positions, number, 1);
-  work(topology.divided_anew(number, [&](Vertex_index v) { return parts.part_of(position(v)); }));
+  work(topology.template divided_anew<typename State::Parts>(
+      number, [&](Vertex_index v) { return parts.part_of(position(v)); }));
 }
 
 } // namespace CGAL::Dynamic_Delaunay_triangulations_2::internal

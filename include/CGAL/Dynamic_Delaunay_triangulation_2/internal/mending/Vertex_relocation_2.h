@@ -432,7 +432,8 @@ private:
   bool put_in(Index i, const Location_hint_2& hint, std::size_t most, Counts& counts)
   {
     const Slot slot = m_slots[i];
-    const Location location = locate_vertex(m_state, slot.vertex, hint);
+    const Location location = locate_vertex(
+        m_state, slot.vertex, waits(i) ? nearer_hint(m_state, slot.vertex, hint) : hint);
     counts.steps += location.steps;
     counts.parted += parts(i);
     m_editor.reserve_for_covered(1);

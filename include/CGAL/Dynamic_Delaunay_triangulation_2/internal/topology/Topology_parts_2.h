@@ -65,16 +65,17 @@ public:
   {
   }
 
-  // So many other parts: part_of(v) is that of the block whose middle vertex is v.
-  template <class Part_of>
+  // So many other parts: part_of(v) is that of the block whose middle vertex is v. Threads share
+  // the calls, each of which reads a position from memory.
+  template <class Parts, class Part_of>
   Topology_parts_2 divided_anew(std::size_t parts, const Part_of& part_of) const
   {
     Topology_parts_2 other(*this);
     other.m_number = parts;
-    for (std::size_t block = 0; block < m_blocks; ++block) {
+    Parts::for_each_element(m_blocks, Parts::size_for(64), [&](std::size_t block) {
       const std::size_t middle = (block << m_digits) + (std::size_t(1) << m_digits) / 2;
       other.m_part[block] = std::uint8_t(part_of(Vertex_index((std::min)(middle, m_vertices - 1))));
-    }
+    });
     return other;
   }
 

@@ -129,6 +129,7 @@ public:
   {
     const std::size_t halfedges = m_halfedges.size(), vertices = m_corner.size();
     if (!Parts::are_shared(Parts::number(halfedges))) {
+      m_corner[infinite_index] = null_index; // no face of a torus has it
       for (Halfedge_index h(0); h < halfedges; ++h)
         m_corner[apex(h)] = h;
       return;
