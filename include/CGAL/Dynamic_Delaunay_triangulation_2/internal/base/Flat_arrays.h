@@ -22,6 +22,7 @@
 #include <cstdint>
 #include <memory>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -207,19 +208,17 @@ bool make_distinct_by_bits(std::vector<Index_of_kind>& indices)
   return true;
 }
 
-// Sorts the indices and removes repeated ones. If they are many, sorting takes some 50 ns each. It
-// is compiled once for indices of all kinds, which makes a WebAssembly module 4 kB smaller.
+// Sorts the indices and removes repeated ones. If they are many, sorting takes some 50 ns each. All
+// kinds are sorted as numbers, by code that is compiled once: a WebAssembly module is 3 kB smaller.
 template <class Index_of_kind>
 void make_distinct(std::vector<Index_of_kind>& indices)
 {
   if (make_distinct_by_bits(indices))
     return;
-  std::vector<Index> numbers(indices.begin(), indices.end());
-  boost::sort::spreadsort::integer_sort(numbers.begin(), numbers.end());
-  const auto beyond = std::unique(numbers.begin(), numbers.end());
-  indices.erase(std::transform(numbers.begin(), beyond, indices.begin(),
-                               [](Index i) { return Index_of_kind(i); }),
-                indices.end());
+  static_assert(std::is_standard_layout_v<Index_of_kind> && sizeof(Index_of_kind) == sizeof(Index));
+  Index* const numbers = reinterpret_cast<Index*>(indices.data());
+  boost::sort::spreadsort::integer_sort(numbers, numbers + indices.size());
+  indices.erase(std::unique(indices.begin(), indices.end()), indices.end());
 }
 
 // The same, by bits that threads set and read, if the indices are many.
