@@ -69,17 +69,6 @@ void require(bool is_so, const char* what)
   std::exit(1);
 }
 
-// The sanitizer reports numbers that decide something.
-template <class Numbers>
-void look_at(const Numbers& numbers)
-{
-  std::size_t finite = 0;
-  for (const auto number : numbers)
-    if (std::isfinite(double(number)))
-      ++finite;
-  require(finite <= numbers.size(), "more numbers than there are");
-}
-
 // Points of d coordinates between 0 and the side of a cube, or square, with a point for each unit.
 template <class Point>
 class Points
@@ -94,12 +83,12 @@ public:
   }
 
   double side() const { return m_side; }
-  const std::vector<Point>& operator*() const { return m_points; }
+  const std::vector<Point>& all() const { return m_points; }
 
   Point any()
   {
     std::uniform_real_distribution<double> coordinate(0, m_side);
-    return near(CGAL::ORIGIN, coordinate);
+    return near(Point(CGAL::ORIGIN), coordinate);
   }
 
   // Steps of all lengths; some jump, and some meet.
@@ -145,12 +134,6 @@ private:
     const double x = p.x() + step(m_random), y = p.y() + step(m_random);
     return {x, y, p.z() + step(m_random)};
   }
-  template <class Distribution>
-  Point near(const CGAL::Origin& origin, Distribution& step)
-  {
-    return near(Point(origin), step);
-  }
-
   const double m_side;
   std::mt19937 m_random;
   std::vector<Point> m_points;
@@ -165,7 +148,8 @@ const std::vector<double>& sizes(const CGAL::Voronoi_cell_measures_3& cells)
   return cells.volumes();
 }
 
-// Goes some frames, and looks at everything after each. In open space, cells end at a box.
+// Goes some frames, and decides by all results after each: the sanitizer reports what decides
+// something. In open space, cells end at a box.
 template <class Neighbor_lists, class Measures, class Dynamic, class Point, class... Box>
 void run(Dynamic dt, Points<Point> points, const Box&... box)
 {
@@ -173,14 +157,16 @@ void run(Dynamic dt, Points<Point> points, const Box&... box)
   Measures cells;
   for (int frame = 0; frame < 18; ++frame) {
     points.move(frame);
-    dt.update(*points);
+    dt.update(points.all());
     if (frame % 8 == 5)
       points.exchange_some(dt);
     require(dt.is_certified() && dt.is_valid(), "not Delaunay");
     lists.compute(dt);
-    look_at(lists.neighbors());
+    for (const std::size_t id : lists.neighbors())
+      require(id < dt.number_of_ids(), "no id");
     cells.compute(dt, box...);
-    look_at(sizes(cells));
+    for (const double size : sizes(cells))
+      require(size >= 0, "no size");
   }
 }
 
@@ -194,10 +180,10 @@ void run_in_plane(std::size_t number, unsigned seed)
   const Points<Kernel::Point_2> points(number, seed);
   const double side = points.side();
   run<CGAL::Delaunay_neighbor_lists_2, CGAL::Voronoi_cell_measures_2>(
-      Plane(*points), points, CGAL::Bbox_2(0, 0, side, side));
+      Plane(points.all()), points, CGAL::Bbox_2(0, 0, side, side));
   const CGAL::Periodic_cell_2 cell(side, 0, 0.2 * side, side);
   run<CGAL::Delaunay_neighbor_lists_2, CGAL::Voronoi_cell_measures_2>(
-      Torus((*points).begin(), (*points).end(), cell), points);
+      Torus(points.all().begin(), points.all().end(), cell), points);
 }
 
 void run_in_space(std::size_t number, unsigned seed)
@@ -207,10 +193,10 @@ void run_in_space(std::size_t number, unsigned seed)
   const Points<Kernel::Point_3> points(number, seed);
   const double side = points.side();
   run<CGAL::Delaunay_neighbor_lists_3, CGAL::Voronoi_cell_measures_3>(
-      Space(*points), points, CGAL::Bbox_3(0, 0, 0, side, side, side));
+      Space(points.all()), points, CGAL::Bbox_3(0, 0, 0, side, side, side));
   const CGAL::Periodic_cell_3 cell(side, side, side);
   run<CGAL::Delaunay_neighbor_lists_3, CGAL::Voronoi_cell_measures_3>(
-      Torus((*points).begin(), (*points).end(), cell), points);
+      Torus(points.all().begin(), points.all().end(), cell), points);
 }
 
 } // namespace
