@@ -312,16 +312,16 @@ std::size_t rebuilds_of(Walled_points walled, double step, int frames)
 TEST(Motion_along_walls, of_slabs_is_mended)
 {
   EXPECT_LE(rebuilds_of(Walled_points(1000, 2, 1), 0.01, 60), 0u);
-  EXPECT_LE(rebuilds_of(Walled_points(1000, 2, 1), 0.05, 60), 2u);
-  EXPECT_LE(rebuilds_of(Walled_points(300, 2, 3), 0.05, 60), 1u);
+  EXPECT_LE(rebuilds_of(Walled_points(1000, 2, 1), 0.05, 60), 0u);
+  EXPECT_LE(rebuilds_of(Walled_points(300, 2, 3), 0.05, 60), 0u);
   EXPECT_LE(rebuilds_of(Walled_points(5000, 2, 1), 0.1, 30), 0u);
 }
 
 TEST(Motion_along_walls, of_ducts_is_mended)
 {
   EXPECT_LE(rebuilds_of(Walled_points(1000, 1, 1), 0.01, 60), 0u);
-  EXPECT_LE(rebuilds_of(Walled_points(1000, 1, 1), 0.05, 60), 6u);
-  EXPECT_LE(rebuilds_of(Walled_points(300, 1, 3), 0.05, 60), 12u);
+  EXPECT_LE(rebuilds_of(Walled_points(1000, 1, 1), 0.05, 60), 1u);
+  EXPECT_LE(rebuilds_of(Walled_points(300, 1, 3), 0.05, 60), 6u);
 }
 
 TEST(Motion_along_walls, of_a_layer_is_mended)
@@ -369,15 +369,12 @@ TEST(Points_on_walls, are_taken_out_without_a_rebuild)
         const Walled_points walled(400, axes, sliding);
         const Points points = rounded_to(grid, walled.points);
         Dynamic dt(points, walled.cell());
-        std::size_t rebuilds = 0, removals = 0;
         Points rest;
         for (std::size_t id = 0; id < points.size(); ++id)
           if (id % 5 == 0) {
-            rebuilds += dt.remove(id).rebuilt();
-            ++removals;
+            EXPECT_FALSE(dt.remove(id).rebuilt()) << axes << ' ' << sliding << ' ' << grid;
           } else
             rest.push_back(points[id]);
-        EXPECT_LT(8 * rebuilds, removals) << axes << ' ' << sliding << ' ' << grid;
         EXPECT_TRUE(dt.is_valid(true));
         const Dynamic fresh(rest, walled.cell());
         EXPECT_EQ(dt.number_of_edges(), fresh.number_of_edges());
@@ -393,14 +390,12 @@ TEST(Points_on_walls, may_jump_along_them_without_a_rebuild)
     Walled_points walled(800, axes, 1);
     Points& points = walled.points;
     Dynamic dt(points, walled.cell());
-    std::size_t rebuilds = 0, jumps = 0;
-    for (std::size_t id = 0; id < points.size(); id += 24, ++jumps) {
+    for (std::size_t id = 0; id < points.size(); id += 24) {
       ASSERT_TRUE(walled.is_sliding(id)); // across z
       points[id] = Point(share(random), share(random), points[id].z());
-      rebuilds += dt.update(points).rebuilt();
+      EXPECT_FALSE(dt.update(points).rebuilt()) << axes;
       expect_as_fresh(dt, points, walled.cell());
     }
-    EXPECT_LT(6 * rebuilds, jumps) << axes;
     ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points, walled.cell()));
   }
 }

@@ -220,6 +220,35 @@ TEST(Memory_of_parts_of_space, may_run_out_in_a_rebuild)
   expect_nothing_lost(Backward(points), points, random_points(600, 5));
 }
 
+// To be taken out, a vertex of the hull of a wire goes inside.
+TEST(Memory_of_a_wire, may_run_out_where_a_point_leaves_its_hull)
+{
+  const CGAL::Periodic_cell_3 wire(CGAL::Epick::Vector_3(1, 0, 0));
+  const Points points = random_points(200);
+  const auto top = std::max_element(points.begin(), points.end(),
+                                    [](const auto& p, const auto& q) { return p.z() < q.z(); });
+  const auto id = std::size_t(top - points.begin());
+  const Point to(0.5, 0.5, 0.5);
+  const Periodic original(points, wire);
+  std::size_t failures = 0;
+  for (bool has_failed = true; has_failed; failures += std::size_t(has_failed)) {
+    SCOPED_TRACE(testing::Message() << failures << " allocations");
+    Periodic dt(original);
+    has_failed = false;
+    try {
+      const replaced_heap::Scarcity scarcity(static_cast<long>(failures));
+      EXPECT_FALSE(dt.move(id, to).rebuilt());
+    } catch (const std::bad_alloc&) {
+      has_failed = true;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i)
+      ASSERT_TRUE(dt.point(i) == points[i] || (i == id && dt.point(i) == to)) << "id " << i;
+    dt.move(id, to);
+    ASSERT_TRUE(dt.is_valid(true));
+  }
+  EXPECT_GT(failures, 20u);
+}
+
 TEST(Division_of_space, gives_each_vertex_one_part)
 {
   using CGAL::Dynamic_Delaunay_triangulations_3::Position_3;

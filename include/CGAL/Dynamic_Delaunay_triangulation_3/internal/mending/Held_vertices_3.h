@@ -110,6 +110,30 @@ public:
     release(m_whole, waiting);
   }
 
+  // Leads a vertex, which is not waiting, towards a place in a few steps, each of which may be very
+  // small, until is_enough() is true. All facets are legal before and after each. Returns whether
+  // it got so far; if this throws, the vertex is where it was.
+  template <class Predicate>
+  bool lead(Vertex_index v, const Position_3& to, const Predicate& is_enough)
+  {
+    constexpr int most_steps = 20;
+    constexpr double smallest_way = 0x1p-20;
+    const Place before = m_state.positions.place(v);
+    Held led{v, Place(to), Waits::CARRIED, true, false, 0};
+    try {
+      for (int step = 0; step < most_steps && !led.has_arrived; ++step) {
+        if (!release(m_whole, led, smallest_way) || !m_flips.take_stuck().empty())
+          return false;
+        if (is_enough())
+          return true;
+      }
+    } catch (...) {
+      m_state.positions.set(v, before);
+      throw;
+    }
+    return false;
+  }
+
   // Moves a vertex of each stuck facet back, towards where all vertices' mean motion carries it,
   // and flips. False if none can move.
   bool retreat(const std::vector<Corner_index>& stuck)
@@ -644,7 +668,7 @@ private:
       bool has_moved = false;
       std::size_t kept = 0;
       for (const Index i : waiting) {
-        const bool moves = release(work, m_whole.held[i]);
+        const bool moves = release(work, m_whole.held[i], m_state.smallest_way());
         has_moved = has_moved || moves;
         if (m_whole.held[i].is_waiting && !work.needs_others)
           waiting[kept++] = i;
@@ -655,14 +679,14 @@ private:
     }
   }
 
-  // Moves one vertex on. Returns whether it could move at all.
-  bool release(Work& work, Held& held)
+  // Moves one vertex on, at least by this share of its way. Returns whether it could move at all.
+  bool release(Work& work, Held& held, double smallest_way)
   {
     work.needs_others = false;
     const Vertex_index v = held.vertex;
     const Place from = m_state.positions.place(v), target = held.target;
     find_star(work, v);
-    for (double way = 1; way >= m_state.smallest_way(); way /= 2) {
+    for (double way = 1; way >= smallest_way; way /= 2) {
       const Place to = way == 1.0 ? target : Place(between(from.position, target.position, way));
       if (!try_to_move(work, v, from, to)) {
         if (work.needs_others)

@@ -103,6 +103,12 @@ public:
     return null_index;
   }
 
+  template <class Flips>
+  Vertex_index insert(Vertex_index v, Flips&) // no flips have to follow
+  {
+    return insert(v);
+  }
+
   // Walks to the cell that contains a vertex, or to an infinite cell that it is beyond. Where all
   // ways on leave the region, it returns the first cell outside.
   Cell_index locate(Vertex_index v) const

@@ -19,7 +19,8 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // Inserts vertices into Delaunay cells of a torus: the cells whose spheres contain an image of the
 // vertex are replaced by cells from their boundary to it. That fails if two of these cells are
 // images of each other, or of neighbors, as among few points, or above all others in a slab, or
-// outside of the hull of a wire: then the images of the vertex are in each other's way.
+// outside of the hull of a wire: then the images of the vertex are in each other's way. But the one
+// cell that contains the vertex can be divided, which leaves it to flips to make all Delaunay.
 //
 // A `Region` says which cells may be replaced, as that of `Vertex_insertion_3`.
 template <class State, class Region = Everywhere_3>
@@ -62,6 +63,20 @@ public:
     return null_index;
   }
 
+  // The same, and where images are in each other's way, divides one cell and flips. Returns the
+  // given vertex if it is not inside of a cell, or if flips are stuck; cells may have changed then.
+  template <class Flips>
+  Vertex_index insert(Vertex_index v, Flips& flips)
+  {
+    const Vertex_index other = insert(v);
+    if (other != v || !divide_cell_around(v))
+      return other;
+    for (const Arrays::Star_cell& made : m_star)
+      flips.open_cell(made.number);
+    flips.run();
+    return flips.take_stuck().empty() ? Vertex_index(null_index) : v;
+  }
+
   // The cell that contains an image of a vertex; or where all ways there leave the region, the
   // first one outside.
   Cell_index locate(Vertex_index v) const { return walk_to(v).first; }
@@ -88,8 +103,10 @@ private:
       entrance = m_arrays.mirror(k);
       c = Arrays::cell_of(entrance);
     };
-    if (is_end_of_walk(c))
+    if (is_end_of_walk(c)) {
       pass(Arrays::corner(c, infinite_place(m_arrays.sites(c))));
+      entrance = null_index; // the image may be beyond that facet
+    }
     while (m_region.has(m_arrays.vertices(c)) && !is_end_of_walk(c)) {
       const Corner_index exit = way_on(c, site, entrance);
       if (exit == null_index)
@@ -116,6 +133,47 @@ private:
       outside = k;
     }
     return outside;
+  }
+
+  // Replaces the cell that contains an image of a vertex by four that have it. In a wire, where a
+  // walk ends at the hull, it goes on from there through infinite cells. False if that leads to no
+  // cell in which all four are positive.
+  bool divide_cell_around(Vertex_index v)
+  {
+    constexpr int most_steps = 1000; // on the hull, which is not Delaunay, walks may go in circles
+    auto [c, site] = walk_to(v);
+    Corner_index entrance = null_index;
+    for (int step = 0; step < most_steps; ++step) {
+      const Torus_sites_3 sites = m_arrays.sites(c);
+      const int infinite = infinite_place(sites);
+      Corner_index exit = null_index;
+      for (int i = 0; i < 4; ++i) {
+        const int sign = m_signs.with(sites, i, site);
+        if (sign == 0 || (sign < 0 && (infinite == 4 || i == infinite)))
+          return false;
+        if (sign < 0)
+          exit = Arrays::corner(c, i);
+      }
+      if (exit == null_index) {
+        divide(c, v, site.shift);
+        return true;
+      }
+      if (exit == entrance)
+        return false;
+      site.shift = site.shift - m_arrays.translation(exit);
+      entrance = m_arrays.mirror(exit);
+      c = Arrays::cell_of(entrance);
+    }
+    return false;
+  }
+  void divide(Cell_index c, Vertex_index v, const Torus_shift_3& shift)
+  {
+    m_conflicts.assign(1, c);
+    m_border.clear();
+    for (int i = 0; i < 4; ++i)
+      m_border.push_back(Arrays::corner(c, i));
+    m_border_shifts.assign(4, shift);
+    m_last = m_arrays.replace_by_star(m_conflicts, m_border, m_border_shifts, v, m_star);
   }
 
   // Finds the cells in conflict, and the facets of their border. False if one of these cells is not

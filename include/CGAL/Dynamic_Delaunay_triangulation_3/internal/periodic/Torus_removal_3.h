@@ -20,11 +20,12 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 // have each facet of the hole.
 //
 // That fails where a cell has two images of the vertex: then holes are in each other's way. So a
-// vertex on the hull of a slab or a wire can be taken out if it shares a wall with others. The hull
-// stays as it is then. The hole has infinite cells over a part of the wall, which is a part of the
-// hull of the images around, too. Infinite cells there fill it, by the point at infinity of those
-// in the hole. All ties in the plane of the wall are broken as in space. Where all points are in
-// one layer, the points above and below it are among the sites around.
+// vertex on the hull of a wire, or above all others in a slab, has to go inside first, unless it
+// shares a wall with others. Then the hull stays as it is. The hole has infinite cells over a part
+// of the wall, which is a part of the hull of the images around, too. Infinite cells there fill it,
+// by the point at infinity of those in the hole. All ties in the plane of the wall are broken as in
+// space. Where all points are in one layer, the points above and below it are among the sites
+// around.
 template <class State>
 class Torus_removal_3
 {

@@ -38,6 +38,7 @@ namespace CGAL::Dynamic_Delaunay_triangulations_3::internal {
 //   renumber_vertices(numbers, n)     of the cells, as `Cell_arrays_3::renumber_all()`
 //   double smallest_way()             share of its way by which a held vertex may move on
 //   Position_3 along_hull(p, q, star) where a vertex of the hull waits instead of q, if held from p
+//   Position_3 beneath_hull(v, star)  where a vertex of the hull would leave it
 //   Position_3 on_wall(p, q, r)       the same instead of r, if a frame moves it from p to q
 //   find_walls()                      before vertices are held, where all are at their targets
 //   Position_3 between_walls(r, q)    where another vertex waits instead of r, if it belongs to q

@@ -102,6 +102,7 @@ public:
   {
     return to;
   }
+  Position_3 beneath_hull(Vertex_index, const std::vector<Cell_index>&) const { return origin; }
   static Position_3 on_wall(const Position_3&, const Position_3&, const Position_3& wanted)
   {
     return wanted;

@@ -56,7 +56,7 @@ public:
     , m_flips(state)
     , m_flip_parts(state)
     , m_held(state, m_other.positions, m_flips)
-    , m_waiting(state, m_other.positions, m_flips)
+    , m_waiting(state, m_other.positions, m_flips, m_held)
     , m_rebuild(state)
     , m_proof(state)
   {

@@ -6,6 +6,7 @@
 
 #include <CGAL/license/Dynamic_Delaunay_triangulation_2.h>
 
+#include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Held_vertices_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/mending/Lawson_flips_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/space/Input_3.h>
 #include <CGAL/Dynamic_Delaunay_triangulation_3/internal/static/Vertex_order_3.h>
@@ -30,10 +31,12 @@ class Waiting_points_3
 
 public:
   // Keeps the array of former positions as long as that of the state.
-  Waiting_points_3(State& state, typename State::Positions& previous, Flips& flips)
+  Waiting_points_3(State& state, typename State::Positions& previous, Flips& flips,
+                   Held_vertices_3<State>& held)
     : m_state(state)
     , m_previous(previous)
     , m_flips(flips)
+    , m_held(held)
     , m_insertion(state)
     , m_removal(state)
   {
@@ -239,10 +242,19 @@ private:
 
   bool take_out(Vertex_index v)
   {
-    if (!m_removal.remove(v, m_flips))
+    if (!m_removal.remove(v, m_flips) && !take_out_from_inside(v))
       return false;
     m_flips.run();
     return m_flips.take_stuck().empty();
+  }
+  // Where images of a vertex are in each other's way, as on the hull of a wire, it goes inside, as
+  // far as it has to. With many cells, such as those of flat walls, it hardly ever gets there.
+  bool take_out_from_inside(Vertex_index v)
+  {
+    constexpr std::size_t most_cells = 256;
+    find_star(m_state.arrays, v, m_state.marks, m_star);
+    return m_star.size() <= most_cells && m_held.lead(v, m_state.beneath_hull(v, m_star),
+                                                      [&] { return m_removal.remove(v, m_flips); });
   }
 
   Vertex_index some_neighbor(Vertex_index v) const
@@ -278,7 +290,7 @@ private:
   {
     const Vertex_index v = pending.vertex != null_index ? pending.vertex : append_vertex(pending);
     start_near(pending);
-    const Vertex_index other = m_insertion.insert(v);
+    const Vertex_index other = m_insertion.insert(v, m_flips);
     if (other == v)
       return false;
     if (other != null_index)
@@ -380,6 +392,7 @@ private:
   State& m_state;
   typename State::Positions& m_previous;
   Flips& m_flips;
+  Held_vertices_3<State>& m_held;
   typename Space::Insertion m_insertion;
   typename Space::Removal m_removal;
   std::vector<Pending> m_pending;
