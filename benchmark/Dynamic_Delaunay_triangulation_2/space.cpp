@@ -145,14 +145,16 @@ void write_walls(const Options& options, std::size_t n)
 {
   constexpr std::size_t share = 10;
   constexpr int times = 20;
+  constexpr double exchanged = 0.01;
   common::Table table = space::walled_table();
   for (const std::size_t number : {n / share, n}) {
+    const int frames = options.frames_of(n) * (number < n ? times : 1);
     table.write_head(std::to_string(number) + " points, walls");
     for (const std::string& kind : space::walled_kinds()) {
       for (const double step : options.steps) {
-        space::write_walled(table, kind, number, step,
-                            options.frames_of(n) * (number < n ? times : 1));
+        space::write_walled(table, kind, number, step, frames);
       }
+      space::write_walled_exchange(table, kind, number, exchanged, frames);
     }
   }
 }

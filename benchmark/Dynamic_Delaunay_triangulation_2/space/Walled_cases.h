@@ -188,6 +188,51 @@ inline void write_walled(common::Table& table, const std::string& kind, std::siz
                   rebuilt.empty() ? 0 : common::median(rebuilt) / of_anew);
 }
 
+// Another one, of points that rest, of which this share leaves in each frame, and comes back.
+inline void write_walled_exchange(common::Table& table, const std::string& kind, std::size_t n,
+                                  double share, int frames)
+{
+  const Walled_cloud cloud(kind, n);
+  std::mt19937_64 random(1);
+  Periodic walled(cloud.points(), cloud.cell());
+  Dynamic open(points_of("poisson", n, random));
+  const auto exchange = [](auto& triangulation, const std::vector<std::size_t>& ids) {
+    Points gone;
+    for (const std::size_t id : ids) {
+      gone.push_back(triangulation.point(id));
+    }
+    const bool has_rebuilt = triangulation.remove(ids).rebuilt();
+    return triangulation.insert(gone).rebuilt() || has_rebuilt;
+  };
+  std::vector<double> updates, opens, anew, rebuilt;
+  for (int frame = 0; frame != frames; ++frame) {
+    std::vector<std::size_t> ids(std::size_t(share * double(n)));
+    for (std::size_t& id : ids) {
+      id = random() % n;
+    }
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+    bool has_rebuilt = false;
+    updates.push_back(nanoseconds(n, [&] { has_rebuilt = exchange(walled, ids); }));
+    opens.push_back(nanoseconds(n, [&] { exchange(open, ids); }));
+    if (has_rebuilt) {
+      rebuilt.push_back(updates.back());
+    }
+    if (frame % 20 == 0) {
+      anew.push_back(nanoseconds(n, [&] { const Periodic fresh(cloud.points(), cloud.cell()); }));
+    }
+  }
+  if (!walled.is_valid(true) || walled.number_of_vertices() != n) {
+    throw std::runtime_error("a triangulation between walls is wrong");
+  }
+  const double of_anew = common::median(anew);
+  table.write_row("  " + kind + " exchange " + common::cell(share, 2), common::median(updates),
+                  common::largest(updates), common::median(opens),
+                  common::median_ratio(updates, opens), of_anew, 0.0, 0.0,
+                  100 * double(rebuilt.size()) / frames,
+                  rebuilt.empty() ? 0 : common::median(rebuilt) / of_anew);
+}
+
 } // namespace space
 
 #endif // SPACE_WALLED_CASES_H
