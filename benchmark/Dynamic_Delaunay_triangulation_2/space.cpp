@@ -75,9 +75,9 @@ struct Options
   std::vector<std::size_t> points{10000, 100000};
   std::vector<double> steps{0.0001, 0.001, 0.01, 0.03, 0.1};
   std::vector<double> shares{0.01, 0.05, 0.08, 0.1, 0.2};
-  std::vector<std::string> kinds{"poisson",    "lattice", "ball",     "exact_lattice",
-                                 "slab",       "drift",   "streams",  "jumps",
-                                 "population", "threads", "periodic", "walls"};
+  std::vector<std::string> kinds{"poisson", "lattice",  "ball",    "exact_lattice", "slab",
+                                 "sphere",  "drift",    "streams", "jumps",         "population",
+                                 "threads", "periodic", "walls"};
   unsigned threads = 0; // all
   int frames = 0;
 

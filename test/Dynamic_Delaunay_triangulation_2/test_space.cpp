@@ -342,23 +342,46 @@ TEST(Lattice_in_space, is_rebuilt_by_its_first_motion)
   ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
 }
 
-// A third of a lattice moves a little: in some of these frames flips get stuck, and no vertex that
+// A sixth of a lattice moves a little: in some of these frames flips get stuck, and no vertex that
 // steps back helps.
 TEST(Lattice_in_space, is_rebuilt_where_flips_are_stuck)
 {
   std::size_t stuck = 0;
   for (unsigned seed = 0; seed < 120; ++seed) {
-    Points points = lattice(6);
+    Points points = lattice(8);
     Dynamic dt(points);
     std::mt19937_64 random(seed);
     std::normal_distribution<double> way(0, 0.028);
     for (Point& p : points)
-      if (random() % 3 == 0)
+      if (random() % 6 == 0)
         p = p + Epick::Vector_3(way(random), way(random), way(random));
     stuck += dt.update(points).rebuild_reason == CGAL::Rebuild_reason_2::STUCK;
     ASSERT_TRUE(dt.is_valid(true)) << seed;
   }
   EXPECT_GT(stuck, 0u);
+}
+
+// All of them are cospherical but for rounding, so any motion leaves no cell as it is.
+TEST(Points_on_a_sphere, are_triangulated_anew_before_any_flip)
+{
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  const auto on_sphere = [](double x, double y, double z) {
+    const double r = std::hypot(x, y, z);
+    return Point(x / r, y / r, z / r);
+  };
+  Points points;
+  for (int i = 0; i < 500; ++i)
+    points.push_back(on_sphere(normal(random), normal(random), normal(random)));
+  Dynamic dt(points);
+  for (const double step : {1e-6, 0.001, 0.1}) {
+    for (Point& p : points)
+      p = on_sphere(p.x() + step * normal(random), p.y() + step * normal(random), p.z());
+    const auto report = dt.update(points);
+    EXPECT_EQ(report.rebuild_reason, CGAL::Rebuild_reason_2::TOO_MUCH_BROKEN) << step;
+    EXPECT_EQ(report.flips, 0u) << step;
+    ASSERT_NO_FATAL_FAILURE(expect_exact(dt, points));
+  }
 }
 
 TEST(Points_that_jump, are_taken_out_and_inserted_elsewhere)

@@ -19,6 +19,18 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Points = std::vector<Point>;
 
+// The place from the middle of a sphere where the point in this direction is.
+inline Point on_sphere(double x, double y, double z, double radius)
+{
+  const double scale = radius / std::hypot(x, y, z);
+  return Point(scale * x, scale * y, scale * z);
+}
+
+inline double radius_of_sphere(std::size_t n)
+{
+  return std::sqrt(double(n) / (4 * std::acos(-1.0)));
+}
+
 // Points of density 1: the mean spacing is 1.
 inline Points points_of(const std::string& kind, std::size_t n, std::mt19937_64& random)
 {
@@ -39,7 +51,10 @@ inline Points points_of(const std::string& kind, std::size_t n, std::mt19937_64&
     const double height = std::cbrt(double(n) / 100);
     while (points.size() < n) {
       const double x = share(random), y = share(random), z = share(random);
-      if (kind == "slab") {
+      if (kind == "sphere") {
+        points.push_back(
+            on_sphere(jitter(random), jitter(random), jitter(random), radius_of_sphere(n)));
+      } else if (kind == "slab") {
         points.emplace_back(10 * height * x, 10 * height * y, height * z);
       } else if (kind != "ball") {
         points.emplace_back(side * x, side * y, side * z);
@@ -63,7 +78,9 @@ inline void move(const std::string& kind, double step, Points& points, std::mt19
     const double share = kind == "streams" ? 0.1 : 1;
     const double x = p.x() + drift + stream + share * way(random);
     const double y = p.y() + drift / 3 + share * way(random);
-    points[i] = Point(x, y, p.z() + share * way(random));
+    const double z = p.z() + share * way(random);
+    points[i] =
+        kind == "sphere" ? on_sphere(x, y, z, radius_of_sphere(points.size())) : Point(x, y, z);
   }
   for (int i = 0; kind == "jumps" && i != 5; ++i) {
     const double x = place(random), y = place(random);

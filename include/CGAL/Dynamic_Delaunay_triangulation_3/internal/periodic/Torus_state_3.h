@@ -334,7 +334,7 @@ public:
   // Of 10,000 random points, steps of 0.18 mean spacings break 3.7 cells a vertex, and are mended
   // in 0.7 to 0.9 of the time of a rebuild; of lattices that are shaken more cells are not proved,
   // but fewer broken.
-  static constexpr std::size_t most_broken = 6; // cells a vertex
+  static constexpr double most_broken = 0.89; // of all cells
   static constexpr bool positions_are_exact = true;
   static constexpr bool mends_by_cells = true;
 

@@ -302,8 +302,9 @@ private:
   bool is_hopeless() const
   {
     const std::vector<Cell_index>& unproved = m_unproved.finite;
-    if (!m_state.positions_are_exact ||
-        unproved.size() <= few_inverted + m_state.number_of_vertices() * State::most_broken)
+    const double most =
+        double(few_inverted) + State::most_broken * double(m_state.arrays.number_of_cells());
+    if (!m_state.positions_are_exact || double(unproved.size()) <= most)
       return false;
     std::size_t broken = 0;
     for (std::size_t i = 0; i < sample; ++i)
